@@ -38,7 +38,7 @@ def help_of(*command):
 def commands():
     """Each command with its help."""
     overview = help_of()
-    names = re.findall(r"^  ([a-z]+) ", overview.split("Subcommands:")[1], re.MULTILINE)
+    names = re.findall(r"^  ([a-z]+) ", overview, re.MULTILINE)
     page = ["```", overview, "```"]
     for name in names:
         page += [f"## taut {name}", "```", help_of(name), "```"]

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// taut over the processes of a cluster. All of them run the same command; the first alone tells and
+// taut over the processes of a cluster. All of them run the same command; only the first prints and
 // writes.
 
 #include <exception>
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "command.hpp"
-#include "mpi_team.hpp"
+#include "mpi_process_group.hpp"
 #include "run_program.hpp"
 #include "taut/team.hpp"
 #include "taut/threads.hpp"
@@ -17,28 +17,29 @@
 
 namespace {
 
-/// Never deleted: a process may leave while others use it.
-taut::app::MpiTeam* mpi_team = nullptr;
+/// Never deleted: a process may end while others use it.
+taut::app::MpiProcessGroup* mpi_process_group = nullptr;
 
-/// Ends with the others: the first tells the failure, and gives the code for all. That of another
-/// would make mpirun end the first before it has told.
+/// Ends together with the others: the first prints the failure and gives the exit code of all. That
+/// of another would make mpirun end the first before it has printed.
 int end(int code, std::string_view message) noexcept {
     using namespace taut::app;
     try {
-        // mpirun leaves a second between its request to stop and the end: the first waits for
-        // nobody to tell what it kept.
-        const bool is_told = code == interrupted;
-        if (is_told) {
-            tell("error", message);
+        // mpirun leaves a second between its request to stop and the end, so the first does not
+        // wait for the others before it prints what it kept.
+        const bool is_printed = code == interrupted;
+        if (is_printed) {
+            print_message("error", message);
         }
-        const MpiTeam::Ending ending = mpi_team->agree_on_ending({code, std::string(message)});
-        if (ending.code != 0 && !is_told) {
-            tell("error", ending.message);
+        const MpiProcessGroup::Ending ending =
+            mpi_process_group->agree_on_ending({code, std::string(message)});
+        if (ending.code != 0 && !is_printed) {
+            print_message("error", ending.message);
         }
-        mpi_team->finish();
-        return mpi_team->is_first() ? ending.code : 0;
+        mpi_process_group->finish();
+        return mpi_process_group->is_first() ? ending.code : 0;
     } catch (const std::exception& error) {
-        tell("error", error.what());
+        print_message("error", error.what());
         return numerical_failure;
     }
 }
@@ -46,23 +47,23 @@ int end(int code, std::string_view message) noexcept {
 int run(int argc, char** argv) noexcept {
     using namespace taut::app;
     try {
-        mpi_team = new MpiTeam;
-        if (!mpi_team->is_first()) {
+        mpi_process_group = new MpiProcessGroup;
+        if (!mpi_process_group->is_first()) {
             be_silent();
         }
         int code = 0;
         const auto run_all = [&] {
-            code = run_program(
-                {.name = "taut-mpi",
-                 .commands = {add_sample, add_train, add_compare, add_control},
-                 .end = end},
-                argc, argv);
+            code = run_program({.name = "taut-mpi",
+                                .commands = {add_sample, add_train, add_compare, add_control},
+                                .end = end},
+                               argc, argv);
         };
-        // Unless --threads tells another number.
-        taut::with_threads(mpi_team->fair_threads(), [&] { taut::with_team(*mpi_team, run_all); });
+        // --threads overrides this.
+        taut::with_threads(mpi_process_group->fair_threads(),
+                           [&] { taut::with_team(*mpi_process_group, run_all); });
         return code;
     } catch (const std::exception& error) {
-        tell("error", error.what());
+        print_message("error", error.what());
         return numerical_failure;
     }
 }

@@ -19,7 +19,7 @@
 namespace taut::app {
 namespace {
 
-/// Processes that share the work must have been told the same.
+/// Processes that share the work must have been given the same arguments.
 void require_same_arguments() {
     if (team().size() == 1) {
         return;
@@ -40,14 +40,17 @@ CLI::App& add_command(CLI::App& program, const std::string& name, const std::str
                       const std::string& example, CommonOptions& options) {
     CLI::App& command = *program.add_subcommand(name, description);
     command.footer("Example:\n" + example);
-    command.add_option("--threads", options.threads, "Threads to use (default: all)")
-        ->check(CLI::Range(1, 1024));
-    command.add_option(
-        "--memory", options.memory,
-        "Most memory that this process may take, 8GiB say: kept, or refused beforehand "
-        "(default: all)");
-    command.add_flag("--json", options.json, "Write the outcome to standard output as JSON");
-    command.add_flag("--quiet", options.quiet, "No progress on standard error");
+    command.add_flag("--json", options.json, "Print the result as JSON")->group(heading::output);
+    command.add_flag("--quiet", options.quiet, "Show no progress on standard error")
+        ->group(heading::output);
+    command.add_option("--threads", options.threads, "Number of threads (default: all)")
+        ->check(CLI::Range(1, 1024))
+        ->group(heading::advanced);
+    command
+        .add_option("--memory", options.memory,
+                    "Memory limit of this process, such as 8GiB. Work known to need more is "
+                    "refused before it starts (default: none)")
+        ->group(heading::advanced);
     return command;
 }
 
@@ -72,14 +75,19 @@ void add_output_option(CLI::App& command, std::string& output, const std::string
         ->check([](const std::string& name) { return name.empty() ? "has no file name" : ""; });
 }
 
-void refuse_overwriting(const std::vector<std::string>& outputs,
-                        const std::vector<std::string>& inputs) {
+void refuse_outputs(const std::vector<std::string>& outputs,
+                    const std::vector<std::string>& inputs) {
     for (auto output = outputs.begin(); output != outputs.end(); ++output) {
         const auto is_output = [&](const std::string& other) {
             return !other.empty() && is_same_file(other, *output);
         };
         if (output->empty()) {
             continue;
+        }
+        if (*output == "-") {
+            throw OutputError(*output,
+                              "results go to files, not to standard output. Name a file, or ./- "
+                              "for one that is called '-'");
         }
         if (std::ranges::any_of(inputs, is_output)) {
             throw OutputError(*output, "is an input of this command, expected another file");
@@ -92,7 +100,7 @@ void refuse_overwriting(const std::vector<std::string>& outputs,
 
 void check_outputs(const std::vector<std::string>& outputs,
                    const std::vector<std::string>& inputs) {
-    refuse_overwriting(outputs, inputs);
+    refuse_outputs(outputs, inputs);
     for (const std::string& output : outputs) {
         if (!output.empty()) {
             AtomicFile{output};
@@ -103,9 +111,10 @@ void check_outputs(const std::vector<std::string>& outputs,
 
 void note_left_files(const std::filesystem::path& output) {
     for (const std::filesystem::path& left : left_temporary_files(output)) {
-        tell("note", left.string() +
-                         ": is of a run that is no more on this machine, and can be removed unless "
-                         "one of another machine writes here");
+        print_message("note",
+                      left.string() +
+                          ": was left by a run that has ended on this machine. Remove it unless a "
+                          "run on another machine writes here");
     }
 }
 
@@ -119,21 +128,23 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
                 "--seed", "is '" + text + "', expected a whole number from 0 to 2^64 - 1");
         }
     };
-    command.add_option_function<std::string>("--seed", parse, "Seed of the draws")
-        ->default_str(std::to_string(seed));
+    command.add_option_function<std::string>("--seed", parse, "Seed of the random numbers")
+        ->default_str(std::to_string(seed))
+        ->group(heading::advanced);
 }
 
 void warn(const std::string& file, const std::vector<std::string>& warnings) {
     for (const std::string& line : warnings) {
-        tell("warning", fmt::format("{}: {}", file, line));
+        print_message("warning", fmt::format("{}: {}", file, line));
     }
 }
 
 void note_digest(const std::string& file, bool has_digest) {
     if (!has_digest) {
-        tell("note", file +
-                         ": tells no digest of its content, as files of taut 0.2.0 and before: "
-                         "damage of it would not be noticed");
+        print_message(
+            "note", file +
+                        ": has no digest of its content, like all files of taut 0.2.0 and before. "
+                        "Damage to it would not be noticed");
     }
 }
 

@@ -23,19 +23,29 @@ class NumericalFailure : public std::runtime_error {
 /// Options that every subcommand has.
 struct CommonOptions {
     int threads = 0;     ///< 0: all
-    std::string memory;  ///< most to take, "8GiB"; empty: all
+    std::string memory;  ///< limit, "8GiB"; empty: none
     bool quiet = false;
     bool json = false;
 };
 
-/// Adds a subcommand with the common options and a worked example under its help.
+/// Headings of a command's help, in the order in which run_program() shows them. Options that
+/// everybody needs have none of these and come first, under "Options".
+namespace heading {
+inline constexpr const char* input = "Input";
+inline constexpr const char* known = "What is known";
+inline constexpr const char* limits = "Limits";
+inline constexpr const char* output = "Output";
+inline constexpr const char* advanced = "Advanced";
+}  // namespace heading
+
+/// Adds a subcommand with the common options, and worked examples under its help.
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::string& example, CommonOptions& options);
 
-/// Does the work on the number of threads and within the memory that the options ask for.
+/// Does the work on the threads and within the memory that the options give.
 void run_within(const CommonOptions& options, const std::function<void()>& work);
 
-/// What the command does with its options.
+/// Sets what the command does with its options.
 template <class Options>
 void set_action(CLI::App& command, const std::shared_ptr<Options>& options,
                 void (*run)(const Options&)) {
@@ -45,26 +55,26 @@ void set_action(CLI::App& command, const std::shared_ptr<Options>& options,
 /// -o, --output of a command that always writes a file.
 void add_output_option(CLI::App& command, std::string& output, const std::string& description);
 
-/// Fails where an output is one of the inputs, or another output. Empty names are options that were
-/// not given.
+/// Refuses an output that is an input or another output, and "-", which would be a file of that
+/// name. Every output passes here. Empty names are options that were not given.
 /// @throws OutputError
-void refuse_overwriting(const std::vector<std::string>& outputs,
-                        const std::vector<std::string>& inputs);
+void refuse_outputs(const std::vector<std::string>& outputs,
+                    const std::vector<std::string>& inputs);
 
-/// The same, and where an output cannot be written: before the work, not after it.
+/// The same, and an output that cannot be written: before the work, not after it.
 /// @throws OutputError
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 /// --seed: a whole number from 0 to 2^64 - 1.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
-/// Tells of temporary files beside an output that a run which was killed left there.
+/// Notes temporary files beside an output that a killed run left there.
 void note_left_files(const std::filesystem::path& output);
 
 /// Each warning on a line of standard error, "taut: warning: net.json: ...".
 void warn(const std::string& file, const std::vector<std::string>& warnings);
 
-/// Tells of a file that damage would go unnoticed in.
+/// Notes a file without a digest, in which damage would go unnoticed.
 void note_digest(const std::string& file, bool has_digest);
 
 /// A document as it is printed; bytes that are no UTF-8, as a file's name may hold, are replaced.

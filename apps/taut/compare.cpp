@@ -39,7 +39,7 @@ struct CompareOptions : CommonOptions {
     ComparisonSettings comparison;
 };
 
-/// A list with commas, each entry by a function that throws where it is no such value.
+/// Parses a list with commas. `parse` throws std::invalid_argument for a wrong entry.
 template <class Parse>
 auto parse_list(const std::string& text, const std::string& option, const std::string& expected,
                 Parse parse) {
@@ -136,8 +136,7 @@ void run(const CompareOptions& given) {
     }
     say("{}\n{}\n", counts_text(net), comparison_table(comparison));
     say("written to {}: comparison.json, comparison.csv\nreport: {}\n", options.directory,
-        has_report_viewer() ? (directory / "report.html").string()
-                            : "left out, this taut was built without Node.js");
+        report_text(directory));
 }
 
 }  // namespace
@@ -146,15 +145,15 @@ void add_compare(CLI::App& program) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App& command = add_command(
         program, "compare",
-        "Compare the methods of identification with each other and with the best possible.\n"
-        "Along three axes, not over all combinations: the noise of the survey, at 950 training\n"
-        "samples (or the most, where 950 is none of them); the training samples, at noise 0 and\n"
-        "0.5 mm (or the largest); the part of hidden nodes, at 950 samples and 0.5 mm. And with\n"
-        "--unknown on nets that differ in more than lengths, told to the methods and not. And "
-        "with\n"
-        "--epochs by several surveys of each net at once.",
+        "Compare the methods of identification with each other and with the Cramér-Rao bound",
         "  taut compare net.json -o comparison\n"
-        "  taut compare net.json -o comparison --noise 0,0.5mm --training 100,300 --hidden 0,20%",
+        "  taut compare net.json -o comparison --noise 0,0.5mm --training 100,300 --hidden 0,20%\n"
+        "\nThe comparison varies one setting at a time, not all combinations: the noise of the "
+        "survey,\nat 950 training samples (or the most, where 950 is none of them); the training "
+        "samples, at\nnoise 0 and 0.5 mm (or the largest); the part of hidden nodes, at 950 "
+        "samples "
+        "and 0.5 mm.\n--uncertain adds nets with model errors, which the methods know of or not. "
+        "--epochs adds\nseveral surveys of each net.",
         *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
@@ -164,21 +163,22 @@ void add_compare(CLI::App& program) {
         ->capture_default_str();
     command
         .add_option("--training", options->training,
-                    "Numbers of samples to train on; 3000 take a minute and 2 GB")
+                    "Numbers of training samples; 3000 take a minute and 2 GB")
         ->capture_default_str();
-    command.add_option("--hidden", options->hidden, "Parts of the free nodes that stay hidden")
+    command
+        .add_option("--hidden", options->hidden, "Parts of the free nodes that are not surveyed")
         ->capture_default_str();
     command
         .add_option("--surveys", options->comparison.surveys,
-                    "Surveys of each kind, of samples that nothing was trained on")
+                    "Number of surveys of each kind, of samples not used in training")
         ->capture_default_str();
     command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str();
     add_uncertain_option(command, options->uncertain);
     command
         .add_option("--epochs", options->comparison.epochs,
-                    "Surveys of each net used at once, up to so many: as it stands, and with every "
-                    "turnbuckle turned by up to 5 mm in between")
+                    "Largest number of surveys of each net that are used together: of the same "
+                    "form, and with every turnbuckle turned by up to 5 mm in between")
         ->capture_default_str();
     add_seed_option(command, options->comparison.seed);
     set_action(command, options, run);

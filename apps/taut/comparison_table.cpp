@@ -19,8 +19,8 @@ constexpr const char* row_format =
 std::string head(const std::string& axis) {
     return fmt::format(row_format, axis, "", "MSE", "RMSE", "over", "MRSE", "form", "inside",
                        "training", "each") +
-           fmt::format(row_format, "", "", "[m2]", "[mm]", "best", "[%]", "[mm]", "95 % [%]", "[s]",
-                       "[ms]");
+           fmt::format(row_format, "", "", "[m2]", "[mm]", "bound", "[%]", "[mm]", "95 % [%]",
+                       "[s]", "[ms]");
 }
 
 std::string over(double factor) {
@@ -28,11 +28,11 @@ std::string over(double factor) {
     return factor < large ? fmt::format("{:.2f}", factor) : fmt::format("{:.1e}", factor);
 }
 
-std::string best_line(const std::string& place, const std::optional<BestPossible>& best) {
+std::string bound_line(const std::string& place, const std::optional<BestPossible>& best) {
     if (!best) {
         return "";
     }
-    return fmt::format(row_format, place, "best possible", fmt::format("{:.3g}", best->mse),
+    return fmt::format(row_format, place, "Cramér-Rao", fmt::format("{:.3g}", best->mse),
                        fmt::format("{:.3g}", 1e3 * std::sqrt(best->mse)), "1", "", "", "", "", "");
 }
 
@@ -54,19 +54,19 @@ std::string line(const std::string& place, const ComparisonRow& row) {
     if (r.failed == r.surveys) {
         text += fmt::format("  {:>8}  {:<15}{}\n", place, r.name, r.first_failure);
     } else if (r.failed > 0) {
-        text += fmt::format("  {:>8}  {:<15}failed on {} of {} surveys, left out above: {}\n", "",
-                            "", r.failed, r.surveys, r.first_failure);
+        text += fmt::format("  {:>8}  {:<15}failed on {} of {} surveys, not counted above: {}\n",
+                            "", "", r.failed, r.surveys, r.first_failure);
     }
     if (r.forms_not_converged > 0) {
         text += fmt::format(
-            "  {:>8}  {:<15}{} predicted forms out of balance, not in its form "
+            "  {:>8}  {:<15}{} predicted forms out of balance, not in the form "
             "error\n",
             "", "", r.forms_not_converged);
     }
     return text;
 }
 
-/// The rows of one axis, each place on it led by the best possible.
+/// The rows of one axis, each value on it led by the Cramér-Rao bound.
 std::string table(const Comparison& comparison, const std::string& axis,
                   const std::function<bool(const ComparisonRow&)>& is_on,
                   const std::function<double(const ComparisonRow&)>& value_of,
@@ -83,7 +83,7 @@ std::string table(const Comparison& comparison, const std::string& axis,
     for (const ComparisonRow* row : rows) {
         const std::string place = fmt::format("{:.4g}{}", value_of(*row), unit);
         if (place != last) {
-            text += best_line(place, row->best_possible);
+            text += bound_line(place, row->best_possible);
         }
         text += line(place == last || row->best_possible ? "" : place, *row);
         last = place;
@@ -131,8 +131,7 @@ std::string comparison_table(const Comparison& comparison) {
     }
     if (!comparison.model_error_rows.empty()) {
         text += fmt::format(
-            "\nOn nets that differ in more than lengths, noise {:.4g} mm, {} training samples: "
-            "{}\n{}",
+            "\nOn nets with model errors, noise {:.4g} mm, {} training samples: {}\n{}",
             1e3 * settings.common_noise(), training, to_string(settings.uncertain), head("these"));
         std::string_view last;
         for (const ComparisonRow& row : comparison.model_error_rows) {
@@ -142,7 +141,7 @@ std::string comparison_table(const Comparison& comparison) {
         }
     }
     if (!comparison.epoch_rows.empty()) {
-        text += fmt::format("\nOver the surveys of each net, all used at once, noise {:.4g} mm\n{}",
+        text += fmt::format("\nOver the number of surveys used together, noise {:.4g} mm\n{}",
                             1e3 * settings.common_noise(), head("surveys"));
         for (const ComparisonRow& row : comparison.epoch_rows) {
             text += line(fmt::format("{}{}", row.epochs, row.is_turned ? " turned" : ""), row);

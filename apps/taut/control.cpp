@@ -59,9 +59,10 @@ ControlSettings settings_of(const CableNet& net, const ControlCommand& command) 
     if (!command.tension.empty()) {
         const TensionRange range = parse_tension_range(command.tension);
         if (range.has_part()) {
-            throw std::invalid_argument(fmt::format(
-                "--tension is '{}', expected forces: parts of breaking loads are for taut plan",
-                command.tension));
+            throw std::invalid_argument(
+                fmt::format("--tension is '{}', expected forces: parts of breaking loads are for "
+                            "taut plan only",
+                            command.tension));
         }
         settings.least_tension = range.least.value;
         settings.most_tension = std::isinf(range.most.value) ? 0.0 : range.most.value;
@@ -108,19 +109,18 @@ void run(const ControlCommand& command) {
         say("{}", json);
         return;
     }
-    say("uncertain of the nets besides lengths ({}): {} (--uncertain)\n",
-        settings.prior.to_string(), to_string(settings.uncertain));
+    say("uncertain besides the lengths ({}): {} (--uncertain)\n", settings.prior.to_string(),
+        to_string(settings.uncertain));
     say("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
         "along its normal [mm]", "tension [kN]", "limits", "by at", "not");
     say("{:<16}{:>6}{:>10}{:>8}{:>12}{:>8}{:>9}{:>12}{:>8}{:>10}{:>10}{:>10}\n", "planned on",
-        "round", "mean", "max", "mean", "max", "RMS", "least", "most", "broken", "most [%]",
+        "round", "mean", "max", "mean", "max", "RMS", "min", "max", "broken", "most [%]",
         "planned");
     for (const ControlRecord& record : records) {
         print_record(record, settings);
     }
     say("written to {}: control.json, control.csv\nreport: {}\n", command.directory,
-        has_report_viewer() ? (directory / "report.html").string()
-                            : "left out, this taut was built without Node.js");
+        report_text(directory));
 }
 
 }  // namespace
@@ -129,37 +129,43 @@ void add_control(CLI::App& program) {
     auto options = std::make_shared<ControlCommand>();
     CLI::App& command = add_command(
         program, "control",
-        "Simulate whole jobs: survey, identify, plan, turn, and again; beside the same with true\n"
-        "lengths, and with the design alone",
+        "Simulate whole jobs of survey, identification, plan and turns, beside the same with true\n"
+        "lengths and with the design only",
         "  taut control net.json -o control --tension 1.5kN..10kN --trials 20", *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
-    command.add_option("--prior", options->prior, "Prior of the length deviations that are built")
+    command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str();
     add_uncertain_option(command, options->uncertain, assumes_site);
-    command.add_option("--noise", options->noise, "Of a surveyed coordinate")
+    command.add_option("--noise", options->noise, "Standard deviation of a surveyed coordinate")
         ->capture_default_str();
-    command.add_option("--drop", options->drop, "Part of the free nodes that a survey misses")
+    command.add_option("--drop", options->drop, "Part of the free nodes that is not surveyed")
         ->capture_default_str();
     command
         .add_option("--actuator", options->actuator,
-                    "Standard deviation of what is turned from what was told")
+                    "Standard deviation of a stroke as made from the stroke as planned")
         ->capture_default_str();
     command
-        .add_option("--stroke", options->stroke, "Of a turnbuckle since installation, either way")
+        .add_option("--stroke", options->stroke,
+                    "Largest change of length of a turnbuckle since installation, either way")
         ->capture_default_str();
     command.add_option("--tension", options->tension,
                        "Limits of tension, 1.5kN..10kN (default: no edge slack)");
     command
         .add_option("--confidence", options->confidence,
-                    "With which limits are to hold, of plans on identified lengths")
+                    "Probability with which limits hold, of plans on identified lengths")
         ->capture_default_str();
-    command.add_option("--turn", options->turn, "Change of length by one turn, 5mm");
-    command.add_option("--step", options->step, "Smallest part of a turn, 1/4")->needs("--turn");
-    command.add_option("--draws", options->draws, "Of each identification")->capture_default_str();
-    command.add_option("--rounds", options->rounds, "Surveys, each with its turns")
+    command.add_option("--turn", options->turn, "Change of length by one turn, such as 5mm");
+    command.add_option("--step", options->step, "Smallest part of a turn, such as 1/4")
+        ->needs("--turn");
+    command
+        .add_option("--draws", options->draws, "Number of posterior samples of each identification")
         ->capture_default_str();
-    command.add_option("--trials", options->trials, "Nets that are built")->capture_default_str();
+    command
+        .add_option("--rounds", options->rounds, "Number of surveys, each followed by its turns")
+        ->capture_default_str();
+    command.add_option("--trials", options->trials, "Number of simulated nets")
+        ->capture_default_str();
     add_seed_option(command, options->seed);
     set_action(command, options, run);
 }

@@ -31,7 +31,7 @@ struct ExportOptions : CommonOptions {
     std::string output;
 };
 
-/// What goes out: a net with its lengths in a form, and where both come from.
+/// A net with its lengths in a form, and where both come from.
 struct Exported {
     NetOrResult source;  ///< its net at the form
     std::string lengths;
@@ -64,42 +64,41 @@ Points equilibrium_form(const CableNet& net, const std::string& path) {
     return std::move(equilibrium.form);
 }
 
-/// Lengths and form of two nets tell tensions that neither has.
+/// The lengths of one net in the form of another give tensions that neither has.
 void warn_of_imbalance(Exported& exported) {
-    constexpr double balanced = 0.01;  // of the mean tension: it may be rounded to 0.01 mm, say
+    constexpr double balanced = 0.01;  // of the mean tension, as of a form rounded to 0.01 mm
     if (exported.balance.share() > balanced) {
         exported.warnings.push_back(fmt::format(
-            "with the lengths of {} it is {}: its tensions are of no net. {}", exported.lengths,
-            balance_text(exported.balance.largest, exported.balance.mean_tension),
+            "with the lengths of {} it is {}, so its tensions are meaningless. {}",
+            exported.lengths, balance_text(exported.balance.largest, exported.balance.mean_tension),
             exported.source.is_identified
-                ? "Leave the form away: a result is exported in its own"
-                : "Name the lengths of this form by --lengths, or export the result of identify"));
+                ? "Leave out FORM: a result is exported in its predicted form"
+                : "Give the lengths of this form by --lengths, or export the result of identify"));
     }
 }
 
-/// Other programs know no tension laws.
+/// No other format has tension laws.
 void warn_of_laws(const ExportOptions& options, Exported& exported) {
     if (!exported.source.file.net.is_linear() && options.format != "net") {
         exported.warnings.emplace_back(
-            "its piecewise linear tension laws stay behind: EA of these edges is their tension "
-            "over "
-            "strain in this form");
+            "this format has no piecewise linear tension laws: EA of these edges is their tension "
+            "over strain in this form");
     }
 }
 
-Exported gather(const ExportOptions& options) {
+Exported exported_net(const ExportOptions& options) {
     Exported it{.source = read_net_or_result(options.net), .lengths = options.net, .form = {}};
     CableNet& net = it.source.file.net;
     if (!options.lengths.empty()) {
         if (it.source.is_identified) {
             throw std::invalid_argument(fmt::format(
-                "--lengths is for a net; {} is a result, which holds its own", options.net));
+                "--lengths is for a net; {} is a result, which has its own", options.net));
         }
         const std::string text = read_file(options.lengths);
         if (text.starts_with('{')) {
             throw InputError(options.lengths, "",
-                             "is JSON, expected a CSV file of lengths, as taut form --lengths "
-                             "writes it; a result is exported by itself: taut export RESULT");
+                             "is JSON, expected a CSV file of lengths as taut form --lengths "
+                             "writes it. To export a result: taut export RESULT");
         }
         net = changed(net, parse_lengths(net, text, options.lengths), net.nodes(), options.lengths);
         it.lengths = options.lengths;
@@ -120,7 +119,7 @@ Exported gather(const ExportOptions& options) {
     return it;
 }
 
-/// The files that the format takes.
+/// The files that the format consists of.
 std::vector<std::string> output_files(const ExportOptions& options) {
     if (options.format != "csv") {
         return {options.output};
@@ -166,7 +165,7 @@ void print(const Exported& it, const std::vector<std::string>& files) {
     const CableNet& net = it.net();
     say("{}\nlengths: {}\n", counts_text(net), it.lengths);
     if (it.source.is_identified) {
-        say("  not known, the estimate stands for them: {} slack, {} not determined of {}\n",
+        say("  estimates of lengths that are not known: {} slack, {} not determined, of {}\n",
             it.source.slack.size(), it.source.not_determined.size(), net.interior_edge_count());
     }
     say("form: {}\n  {}\nslack edges: {}\n",
@@ -180,7 +179,7 @@ void print(const Exported& it, const std::vector<std::string>& files) {
 }
 
 void run(const ExportOptions& options) {
-    const Exported exported = gather(options);
+    const Exported exported = exported_net(options);
     const std::vector<std::string> files = output_files(options);
     check_outputs(files, {options.net, options.form, options.lengths,
                           exported.source.is_identified ? draws_path(options.net).string() : ""});
@@ -198,14 +197,14 @@ void run(const ExportOptions& options) {
 void add_export(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
     CLI::App& command = add_command(
-        program, "export", "Write a net and its form for another program, or as built",
+        program, "export", "Write a net, also as built, for another program",
         "  taut export net.json --to vtk -o net.vtk\n"
         "  taut export net.json built.csv --lengths truth.csv --to compas -o graph.json\n"
-        "  taut export result.json --to net -o built.json     (the net as identify found it)",
+        "  taut export result.json --to net -o built.json     (the net as built)",
         *options);
     command
         .add_option("NET", options->net,
-                    "Net file, or a result of identify: the net with the identified lengths, in "
+                    "Net file, or a result of identify: the net with its identified lengths in "
                     "the predicted form")
         ->required();
     command.add_option("FORM", options->form,

@@ -18,10 +18,10 @@ namespace taut::app {
 namespace {
 
 const std::string uncertain_text =
-    "What else is uncertain, NAME:WIDTH[@GROUP], WIDTH a standard deviation: stiffness:5% (one "
-    "factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, loads:20N (of "
-    "each "
-    "node), loads:10% (one factor); GROUP of edges, of the net. May be repeated";
+    "What is uncertain besides the lengths, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
+    "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, "
+    "loads:20N (of each node), loads:10% (one factor); GROUP is a group of edges of the net. May "
+    "be repeated";
 
 ForceFormat format_of(const ForceOptions& options) {
     ForceFormat format{.unit = options.force_unit == "kN" ? 1e3 : 1.0};
@@ -41,31 +41,39 @@ std::vector<std::string> ForceOptions::files() const {
     return {forces, taut == "all" ? "" : taut, slack};
 }
 
-std::vector<CLI::Option*> add_reading_options(CLI::App& command, ForceOptions& options,
-                                              const std::string& help) {
-    CLI::Option* const forces = command.add_option("--forces", options.forces, help);
+std::vector<CLI::Option*> add_force_measurement_options(CLI::App& command, ForceOptions& options,
+                                                        const std::string& help) {
+    CLI::Option* const forces =
+        command.add_option("--forces", options.forces, help)->group(heading::known);
     CLI::Option* const unit =
         command.add_option("--force-unit", options.force_unit, "Unit of that file: N or kN")
             ->check(CLI::IsMember({"N", "kN"}))
             ->needs(forces)
+            ->group(heading::known)
             ->capture_default_str();
     CLI::Option* const noise =
         command
             .add_option("--force-noise", options.force_noise,
-                        "Standard deviation of a reading where that file tells none: a part of "
-                        "it, 2%, or a force, 50N")
+                        "Standard deviation of a force measurement where that file has none: a "
+                        "part of it, 2%, or a force, 50N")
             ->needs(forces)
+            ->group(heading::known)
             ->capture_default_str();
     return {forces, unit, noise};
 }
 
 void add_force_options(CLI::App& command, ForceOptions& options) {
-    add_reading_options(command, options,
-                        "Tensions read from load cells or tension meters: edge,tension[,std]");
-    command.add_option("--taut", options.taut,
-                       "Edges seen to carry tension: a file that names them, one a line, or all");
-    command.add_option("--slack", options.slack,
-                       "Edges seen to hang slack: a file that names them, one a line");
+    add_force_measurement_options(command, options,
+                                  "Force measurements of load cells or tension meters, a file "
+                                  "edge,tension[,std]");
+    command
+        .add_option("--taut", options.taut,
+                    "Edges seen to carry tension: a file that names them, one a line, or all")
+        ->group(heading::known);
+    command
+        .add_option("--slack", options.slack,
+                    "Edges seen to hang slack: a file that names them, one a line")
+        ->group(heading::known);
 }
 
 Forces read_forces(const CableNet& net, const ForceOptions& options) {
@@ -109,8 +117,8 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
     for (const int edge : parse_edge_list(net, text, options.forces)) {
         if (!(designed(edge) > 0.0)) {
             throw InputError(options.forces, "",
-                             fmt::format("names edge '{}', which is slack as designed: there is "
-                                         "nothing to read",
+                             fmt::format("names edge '{}', which is slack as designed: it has no "
+                                         "tension to measure",
                                          net.edge_id(edge)));
         }
         const double std = format.std > 0.0 ? format.std : format.relative_std * designed(edge);
@@ -120,13 +128,14 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
 }
 
 const char* const assumes_site =
-    ". Of those but loads so much is assumed where they are not given; none: all that is not given "
-    "is exact";
+    ". Those not given are assumed with these widths, except loads; none: what is "
+    "not given is exact";
 
 CLI::Option* add_uncertain_option(CLI::App& command, UncertainOptions& options,
                                   const std::string& note) {
     return command.add_option("--uncertain", options.texts, uncertain_text + note)
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->group(heading::known);
 }
 
 bool UncertainOptions::assume_site() const {

@@ -12,7 +12,7 @@
 
 namespace taut::app {
 
-/// --forces, --force-unit, --force-noise, --taut, --slack, as they were told.
+/// --forces, --force-unit, --force-noise, --taut, --slack, as given.
 struct ForceOptions {
     std::string forces;
     std::string force_unit = "N";
@@ -26,26 +26,28 @@ struct ForceOptions {
 
 /// --forces, --force-unit, --force-noise.
 /// @param help of --forces
-std::vector<CLI::Option*> add_reading_options(CLI::App& command, ForceOptions& options,
-                                              const std::string& help);
+std::vector<CLI::Option*> add_force_measurement_options(CLI::App& command, ForceOptions& options,
+                                                        const std::string& help);
 
 /// The same, --taut and --slack.
 void add_force_options(CLI::App& command, ForceOptions& options);
 
-/// Reads what was told of forces; warns of a unit that is most likely another.
+/// Reads the force measurements and the edges seen taut or slack; warns where the unit is most
+/// likely another.
 /// @throws InputError as parse_force_measurements(), parse_edge_list(), and for an edge that is
-/// told
-///   both taut and slack, or slack and read
+/// given
+///   as both taut and slack, or as slack and measured
 Forces read_forces(const CableNet& net, const ForceOptions& options);
 
-/// The readings of read_forces(), or names of edges alone: these are taken to be read as designed.
+/// The force measurements of a survey that is planned: as read_forces(), or of a file that only
+/// names edges, whose designed tensions are then taken as measured.
 Forces read_planned_forces(const CableNet& net, const ForceOptions& options);
 
-/// What --uncertain says.
+/// --uncertain, as given.
 struct UncertainOptions {
     std::vector<std::string> texts;  ///< NAME:WIDTH[@GROUP], or "none"
 
-    /// Whether what is not given is as on a site: with_site_assumptions().
+    /// Whether what is not given gets the widths of a site: with_site_assumptions().
     [[nodiscard]] bool assume_site() const;
     /// @throws std::invalid_argument as parse_uncertain_parameter()
     /// @throws InputError where they are not of this net

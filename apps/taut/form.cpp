@@ -32,7 +32,7 @@ struct FormOptions : CommonOptions {
     std::string turned;
 };
 
-/// The net as designed, with what was turned since.
+/// The net as designed, with the turns made since.
 CableNet as_turned(const FormOptions& options, const CableNet& net) {
     return options.turned.empty()
                ? net
@@ -52,7 +52,7 @@ CableNet net_of(const FormOptions& options, const CableNet& nominal) {
     }
 }
 
-/// What either solver found.
+/// Result of either solver.
 struct Found {
     Points form;
     std::string status;
@@ -62,7 +62,7 @@ struct Found {
     double mean_tension;
     std::vector<int> slack_edges;
     EnergyCertificate certificate;
-    nlohmann::ordered_json details;  ///< what only this solver knows
+    nlohmann::ordered_json details;  ///< of this solver only
 };
 
 Found find_by_newton(const FormOptions& options, const CableNet& net) {
@@ -73,7 +73,8 @@ Found find_by_newton(const FormOptions& options, const CableNet& net) {
     }
     std::string text = equilibrium_text(e);
     if (e.status == EquilibriumStatus::slack_mechanism) {
-        text += "\nslack edges leave some nodes loose: their places are one choice of many";
+        text +=
+            "\nslack edges leave some nodes free to move: their places are one solution of many";
     }
     const EnergyCertificate certificate = certify(net, net.unstressed_lengths(), e.form);
     return {.form = std::move(e.form),
@@ -162,8 +163,8 @@ void run(const FormOptions& options) {
         return;
     }
     say("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));
-    say("largest move of a node from its nominal place: {:.4g} mm\nslack edges: {}\n", 1e3 * move,
-        edges_text(net, found.slack_edges));
+    say("largest distance of a node from its nominal place: {:.4g} mm\nslack edges: {}\n",
+        1e3 * move, edges_text(net, found.slack_edges));
     for (const auto& [file, content] : files) {
         say("written to {}\n", file.string());
     }
@@ -174,7 +175,7 @@ void run(const FormOptions& options) {
 void add_form(CLI::App& program) {
     auto options = std::make_shared<FormOptions>();
     CLI::App& command =
-        add_command(program, "form", "Compute the form a net takes in equilibrium",
+        add_command(program, "form", "Compute the equilibrium form of a net",
                     "  taut form net.json -o form.csv\n"
                     "  taut form net.json --solver socp    (the paper's cone program, as a check)",
                     *options);
@@ -182,26 +183,27 @@ void add_form(CLI::App& program) {
     command.add_option("-o,--output", options->output, "Form file to write (id,x,y,z; in m)");
     command
         .add_option("--solver", options->solver,
-                    "How to solve: newton (Newton on the energy), socp (the paper's cone program, "
-                    "by Clarabel)")
+                    "newton (Newton's method on the energy) or socp (the paper's cone program, by "
+                    "Clarabel)")
         ->check(CLI::IsMember({"newton", "socp"}))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(heading::advanced);
     command
         .add_option(
             "--cone-form", options->cone_form,
-            "Of socp: quadratic (the energy as objective), paper (with v and its large cone)")
+            "Form of socp: quadratic (the energy as objective), paper (with v and its large cone)")
         ->check(CLI::IsMember({"quadratic", "paper"}))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(heading::advanced);
     command.add_option("--prior", options->prior,
-                       "Draw the interior edges' lengths from this prior first, as of a built net: "
-                       "uniform:5mm, normal:2mm, bimodal:5mm");
+                       "Simulate a built net: sample the interior edges' lengths from this prior, "
+                       "uniform:5mm, normal:2mm or bimodal:5mm");
     add_seed_option(command, options->seed);
-    command.add_option("--lengths", options->lengths,
-                       "File to write the length deviations to (CSV, m): the truth of a trial");
+    command.add_option("--lengths", options->lengths, "True length deviations to write (CSV, m)");
     command.add_option("--turned", options->turned,
-                       "What was turned since the net was as designed: edge,stroke in m, or the "
-                       "list of taut plan --csv. With the same --law and --seed it is the same "
-                       "built net, as turned");
+                       "Turns made since installation: edge,stroke in m, or the list of taut plan "
+                       "--csv. With the same --prior and --seed they are applied to the same built "
+                       "net");
     set_action(command, options, run);
 }
 

@@ -41,7 +41,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string method;  ///< empty: chosen by what is there
     std::string model;
-    std::string prior;  ///< empty: the model's, or a broad prior
+    std::string prior;  ///< empty: the model's, or a broad one
     bool prior_exact = false;
     std::string output;
     std::string covariance_of;
@@ -50,7 +50,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::optional<std::int64_t> draws;  ///< empty: default_draws()
     std::uint64_t seed = 1;
 
-    /// Where the draws are kept: beside the result.
+    /// The file of the posterior samples, beside the result.
     [[nodiscard]] std::string draws_file() const {
         return output.empty() ? "" : draws_path(output).string();
     }
@@ -77,7 +77,8 @@ std::vector<int> covariance_edges(const CableNet& net, const Options& options) {
         return {};
     }
     if (options.output.empty() && !options.json) {
-        throw std::invalid_argument("--covariance-of is told in the result alone: -o or --json");
+        throw std::invalid_argument(
+            "--covariance-of is for the result only, which needs -o or --json");
     }
     std::vector<int> edges = parse_edge_list(net, read_file(file), file);
     for (const int edge : edges) {
@@ -116,40 +117,38 @@ std::string tension_text(const DrawnEstimate& tension) {
                        1e-3 * tension.lower, 1e-3 * tension.upper);
 }
 
-/// What was told of forces, and what contradicts all else.
+/// Force measurements and edges seen taut or slack, and which of them contradict the survey.
 void print_forces(const CableNet& net, const Identification& result) {
     if (result.readings > 0) {
-        say("forces: {} reading{}, {} left out\n", result.readings, result.readings == 1 ? "" : "s",
+        say("force measurements: {}, of which {} not used\n", result.readings,
             result.reading_outliers.size());
     }
     for (const ForceOutlier& outlier : result.reading_outliers) {
-        say("  {:<12} read as {:.4g} kN, where all else tells {:.4g} kN\n",
+        say("  {:<12} measured {:.4g} kN, expected {:.4g} kN from everything else\n",
             net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
     }
     if (result.reading_bias) {
-        say("  together they contradict the survey, which asks for {:.2g} times what was read (std "
-            "{:.2g}):\n  are unit, calibration and the net's stiffness right? All are left out\n",
+        say("  together they contradict the survey, by which tensions are {:.2g} +- {:.2g} times "
+            "the "
+            "measured ones.\n  taut used none of them. Check their unit, their calibration and the "
+            "net's stiffness.\n",
             1.0 - result.reading_bias->part, result.reading_bias->std);
     }
-    const bool is_contradicted =
-        !result.contradicted_taut.empty() || !result.contradicted_slack.empty();
-    if (!is_contradicted) {
+    if (result.contradicted_taut.empty() && result.contradicted_slack.empty()) {
         return;
     }
-    say("what was seen contradicts the survey, and is left out, all of it\n");
+    say("The edges you marked as slack or taut contradict the survey. taut ignored all marks.\n");
     if (!result.contradicted_taut.empty()) {
-        say("  taut, where the survey tells otherwise: {}\n",
-            edges_text(net, result.contradicted_taut));
+        say("  marked taut, slack by the survey: {}\n", edges_text(net, result.contradicted_taut));
     }
     if (!result.contradicted_slack.empty()) {
-        say("  slack, where the survey tells otherwise: {}\n",
-            edges_text(net, result.contradicted_slack));
+        say("  marked slack, taut by the survey: {}\n", edges_text(net, result.contradicted_slack));
     }
 }
 
-/// A number of an unknown, in the unit that people use.
+/// A value of an uncertain parameter, in the unit that people use.
 std::string in_unit(UncertainParameter::Kind kind, double value) {
-    const auto told = [value](double scale, int digits) {
+    const auto scaled = [value](double scale, int digits) {
         const double unit = std::pow(10.0, digits);
         const double rounded = std::round(scale * value * unit) / unit + 0.0;  // no -0
         return fmt::format("{:+.{}f}", rounded, digits);
@@ -158,20 +157,20 @@ std::string in_unit(UncertainParameter::Kind kind, double value) {
         case UncertainParameter::Kind::stiffness:
         case UncertainParameter::Kind::stiffness_each:
         case UncertainParameter::Kind::loads:
-            return told(100.0, 2) + " %";
+            return scaled(100.0, 2) + " %";
         case UncertainParameter::Kind::temperature:
-            return told(1.0, 1) + " K";
+            return scaled(1.0, 1) + " K";
         case UncertainParameter::Kind::supports:
         case UncertainParameter::Kind::adjustable:
-            return told(1e3, 2) + " mm";
+            return scaled(1e3, 2) + " mm";
         case UncertainParameter::Kind::loads_each:
-            return told(1.0, 2) + " N";
+            return scaled(1.0, 2) + " N";
     }
     return {};
 }
 
-/// Those common to many edges in full; of the others how many the survey shows, and the one that is
-/// farthest from the design, in standard deviations before the survey.
+/// Parameters common to many edges in full. Of the others how many the survey determines, and the
+/// one that is farthest from the design.
 void print_uncertain(const CableNet& net, const Identification& result) {
     for (auto first = result.uncertain.begin(); first != result.uncertain.end();) {
         const auto last = std::find_if(first, result.uncertain.end(), [&](const auto& other) {
@@ -183,15 +182,15 @@ void print_uncertain(const CableNet& net, const Identification& result) {
         if (count == 1 && first->edge < 0 && first->node < 0) {
             say("{}: {} from the design, std {}{}\n", parameter.to_string(), text(first->mean),
                 text(first->std).substr(1),
-                first->is_observed() ? "" : ": nothing that was measured shows it");
+                first->is_observed() ? "" : " (not shown by the survey)");
         } else {
             const auto shown = std::count_if(
                 first, last, [](const ParameterEstimate& one) { return one.is_observed(); });
             const auto farthest = std::max_element(first, last, [](const auto& a, const auto& b) {
                 return std::abs(a.mean) < std::abs(b.mean);
             });
-            say("{}: {} of {} better known than before; the farthest from the design is "
-                "{}{} by {}, std {}\n",
+            say("{}: the survey determines {} of {}; the farthest from the design is {}{} by {}, "
+                "std {}\n",
                 parameter.to_string(), shown, count,
                 farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
                 farthest->axis >= 0 ? fmt::format(" ({})", "xyz"[farthest->axis]) : "",
@@ -201,8 +200,8 @@ void print_uncertain(const CableNet& net, const Identification& result) {
     }
 }
 
-/// What the tensions rest on that nothing showed.
-std::string taken_as_given(const Identification& result) {
+/// Parameters that the tensions depend on and that are assumed exact.
+std::string exact_parameters(const Identification& result) {
     const auto is_uncertain = [&](auto... kinds) {
         return std::ranges::any_of(result.uncertain, [&](const ParameterEstimate& one) {
             return ((one.parameter.kind == kinds) || ...);
@@ -219,15 +218,15 @@ std::string taken_as_given(const Identification& result) {
     if (!is_uncertain(Kind::supports)) {
         given.emplace_back("supports");
     }
-    return given.empty() ? "" : fmt::format("; {} taken as given", fmt::join(given, ", "));
+    return given.empty() ? "" : fmt::format("; {} assumed exact", fmt::join(given, ", "));
 }
 
-/// (length-trend)
+/// The common part of the length deviations: equation (length-trend) of docs/theory.md.
 void print_common_deviation(const CommonDeviation& common) {
     if (!(common.mean_std > 0.0)) {
         return;
     }
-    say("lengths deviate in common by {:+.2f} mm, std {:.2f} mm", 1e3 * common.mean,
+    say("mean length deviation: {:+.2f} mm, std {:.2f} mm", 1e3 * common.mean,
         1e3 * common.mean_std);
     if (common.runs > 0) {
         say("; {} runs of cable, scales of {:.2g} % with a probability of {:.0f} %", common.runs,
@@ -242,26 +241,27 @@ void print_common_deviation(const CommonDeviation& common) {
 
 void print_draws(const Identification& result) {
     if (!result.draws) {
-        say("tensions: no intervals, since no draws were made\n");
+        say("tensions: not reported, as there are no posterior samples (--draws)\n");
         return;
     }
     const PosteriorDraws& draws = *result.draws;
     if (result.drawn.tensions.empty()) {
-        say("tensions: not known, since {}\n", draws.doubt);
+        say("tensions: not reported, since {}\n", draws.doubt);
         return;
     }
-    say("mean tension: {}\n  by {} draws: {}{}\n", tension_text(result.drawn.mean_tension),
-        draws.count(), draws.how, taken_as_given(result));
+    say("mean tension: {}\n  from {} posterior samples: {}{}\n",
+        tension_text(result.drawn.mean_tension), draws.count(), draws.how,
+        exact_parameters(result));
 }
 
-/// What each survey told, where there are several.
+/// One line for each survey, where there are several.
 void print_epochs(const CableNet& net, const Identification& result) {
     for (size_t k = 0; k < result.epochs.size(); ++k) {
         const EpochResult& epoch = result.epochs[k];
-        say("survey {}: {} free nodes, {} left out", k + 1, epoch.surveyed, epoch.outliers.size());
+        say("survey {}: {} free nodes, {} not used", k + 1, epoch.surveyed, epoch.outliers.size());
         if (k > 0) {
-            say("; {} edges turned before it; lengths differ from those before by {:.2f} "
-                "times what is expected (chance: up to {:.2f})",
+            say("; {} edges turned before it. Changes of the other lengths are {:.2f} times "
+                "those expected by chance (up to {:.2f} is normal)",
                 epoch.turned.size(), epoch.change_ratio, epoch.change_limit);
         }
         say("\n");
@@ -272,7 +272,7 @@ void print_epochs(const CableNet& net, const Identification& result) {
     }
 }
 
-/// Of a slack edge no deviation is known, only a bound: those are listed apart.
+/// Slack edges are not among these: only a bound of their deviation is known.
 void print_largest(const CableNet& net, const Identification& result) {
     std::vector<IdentifiedEdge> edges = result.edges;
     std::erase_if(edges, [](const IdentifiedEdge& e) { return e.status == EdgeStatus::slack; });
@@ -327,12 +327,12 @@ void print_frame(const Identification& result) {
         return fmt::format("({:.2f}, {:.2f}, {:.2f}) +- ({:.2f}, {:.2f}, {:.2f})", v.x(), v.y(),
                            v.z(), std.x(), std.y(), std.z());
     };
-    say("frame: the supports are moved by {} mm and turned by {} mrad in the survey's\n",
+    say("coordinate system of the survey: the supports are moved by {} mm and rotated by {} mrad\n",
         text(1e3 * frame.translation, 1e3 * frame.translation_std),
         text(1e3 * frame.rotation, 1e3 * frame.rotation_std));
 }
 
-/// "target 3.1 mm, length 8 mm, ..., support none".
+/// "target 3.1 mm, length 8 mm, ..., support none", of those that the checks can find.
 std::string detectable_text(const DetectableErrors& errors) {
     const auto text = [](const char* name, double error, double unit, const char* unit_name) {
         if (!std::isfinite(error)) {
@@ -344,13 +344,13 @@ std::string detectable_text(const DetectableErrors& errors) {
     };
     return fmt::format("{}, {}, {}, {}, {}, {}", text("target", errors.target, 1e-3, "mm"),
                        text("length", errors.length, 1e-3, "mm"),
-                       text("adjustable edge", errors.adjustable, 1e-3, "mm"),
+                       text("turnbuckle", errors.adjustable, 1e-3, "mm"),
                        text("support", errors.support, 1e-3, "mm"),
                        text("scale", errors.scale, 1e-6, "ppm"),
                        text("temperature", errors.temperature, 1.0, "K"));
 }
 
-/// With the option that is the remedy: "Use this standard deviation (--noise 0.71mm)."
+/// The next step with the option of its remedy: "Use this standard deviation (--noise 0.71mm)."
 std::string advice(const Trust::Finding& finding) {
     if (!finding.remedy) {
         return finding.next;
@@ -360,9 +360,8 @@ std::string advice(const Trust::Finding& finding) {
                        value.empty() ? "" : " ", value);
 }
 
-/// May I act on this?
-void print_trust(const Trust& trust, const DetectableErrors& detectable) {
-    say("checks: {}\n", to_string(trust.verdict()));
+void print_checks(const Trust& trust, const DetectableErrors& detectable) {
+    say("Checks: {}.{}", to_string(trust.verdict()), trust.findings.empty() ? " " : "\n");
     constexpr int shown = 6;
     std::map<std::pair<Trust::Finding::Kind, Trust::Verdict>, int> counts;
     const std::vector<Trust::Finding>& all = trust.findings;
@@ -374,9 +373,9 @@ void print_trust(const Trust& trust, const DetectableErrors& detectable) {
         say("  {}: {}\n",
             all[i].severity == Trust::Verdict::passed ? "note" : to_string(all[i].severity),
             all[i].reason);
-        const bool is_said_next =
+        const bool is_repeated =
             count < shown && i + 1 < all.size() && advice(all[i + 1]) == advice(all[i]);
-        if (!all[i].next.empty() && !is_said_next) {
+        if (!all[i].next.empty() && !is_repeated) {
             say("    {}\n", advice(all[i]));
         }
     }
@@ -386,15 +385,15 @@ void print_trust(const Trust& trust, const DetectableErrors& detectable) {
                 to_string(of.first));
         }
     }
-    say("smallest error that these checks find with a probability of 80 %:\n  {}\n\n",
+    say("Smallest error this survey would show (with a probability of 80 %):\n  {}\n\n",
         detectable_text(detectable));
 }
 
-/// What was uncertain, and how to change it.
+/// The uncertain parameters, and how to change them.
 void print_assumptions(const Identification& result) {
     if (result.assumptions.empty()) {
-        say("uncertain besides lengths: nothing; stiffness, loads, supports and turnbuckles are as "
-            "given\n");
+        say("uncertain besides lengths: nothing. Stiffness, loads, supports and turnbuckles are "
+            "taken as exact\n");
         return;
     }
     std::string text;
@@ -410,22 +409,21 @@ void print_assumptions(const Identification& result) {
     }
     say("uncertain besides lengths: {}\n  --uncertain NAME:WIDTH changes one, --uncertain none "
         "takes the net as exact{}\n",
-        text, has_default ? "; an assumed width is taken as known to a factor of 1.5" : "");
+        text, has_default ? "; assumed widths are uncertain by a factor of 1.5" : "");
     if (!not_shown.empty()) {
-        say("  this survey does not show {}: intervals rest on {}\n", fmt::join(not_shown, ", "),
-            not_shown.size() == 1 ? "that width" : "those widths");
+        say("  this survey cannot check {}: intervals depend on {}\n", fmt::join(not_shown, ", "),
+            not_shown.size() == 1 ? "this width" : "these widths");
     }
 }
 
 void print(const Options& options, const CableNet& net, const Survey& survey,
            const Identification& result) {
-    print_trust(result.trust, result.detectable);
+    print_checks(result.trust, result.detectable);
     say("{}\n{}", counts_text(net), survey_text(net, options, survey));
     print_assumptions(result);
     say("method {}: {}\n  chosen because: {}\n\n", result.method, result.how, result.method_reason);
     if (result.noise_ratio > 0.0) {
-        say("the survey's residuals are {:.2f} times what its noise lets expect\n",
-            result.noise_ratio);
+        say("variance factor: {:.2f}\n", result.noise_ratio);
     }
     say("edges: {} determined, {} weakly determined, {} not determined, {} slack\n",
         count(result, EdgeStatus::determined), count(result, EdgeStatus::weakly_determined),
@@ -434,11 +432,11 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
         result.predicted.slack_edges,
         [&](int edge) { return std::ranges::binary_search(net.adjustable_edges(), edge); });
     if (slack_adjustable > 0) {
-        say("  besides, {} adjustable edges are slack\n", slack_adjustable);
+        say("  in addition {} adjustable edges are slack\n", slack_adjustable);
     }
     say("predicted form: {}\n", equilibrium_text(result.predicted));
     const Eigen::VectorXd residuals = residuals_in_use(result, survey);
-    say("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n",
+    say("  deviation from the surveyed form: {:.3g} mm RMS, {:.3g} mm max\n",
         1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
         1e3 * residuals.maxCoeff());
     print_frame(result);
@@ -451,19 +449,19 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     print_largest(net, result);
     print_slack(net, result);
     if (!options.output.empty()) {
-        say("\nwritten to {}: all {} edges, and the predicted form\n", options.output,
+        say("\nwritten to {}: all {} edges and the predicted form\n", options.output,
             result.edges.size());
         if (result.draws) {
-            say("written to {}: {} draws of lengths, forms and tensions\n", options.draws_file(),
-                result.draws->count());
+            say("written to {}: {} posterior samples of lengths, forms and tensions\n",
+                options.draws_file(), result.draws->count());
         }
     }
 }
 
-/// --epoch, as it was told.
+/// --epoch, as given.
 struct EpochFiles {
     std::string survey;
-    std::string turned;  ///< empty: nothing was
+    std::string turned;  ///< empty: nothing was turned
 };
 
 EpochFiles epoch_files(const std::string& text) {
@@ -476,22 +474,24 @@ EpochFiles epoch_files(const std::string& text) {
     }
     EpochFiles files{.survey = text.substr(0, colon), .turned = text.substr(colon + 1)};
     if (files.survey.empty() || files.turned.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "--epoch is '{}', expected a survey, and behind a colon what was turned before it: "
-            "second.csv:turned.csv",
-            text));
+        throw std::invalid_argument(
+            fmt::format("--epoch is '{}', expected a survey, a colon and the list of what was "
+                        "turned before it: "
+                        "second.csv:turned.csv",
+                        text));
     }
     return files;
 }
 
-/// What did not converge: bad input where the survey is not what it was taken for.
+/// @throws InputError where the survey is not what it was taken for
+/// @throws NumericalFailure for any other result that did not converge
 void refuse_unless_converged(const Options& options, const Identification& result) {
     switch (result.status) {
         case IdentificationStatus::converged:
             return;
         case IdentificationStatus::survey_not_exact:
             throw InputError(options.survey, "",
-                             result.message + ": --noise tells it, or sx, sy, sz in the file");
+                             result.message + ": give it by --noise, or by sx, sy, sz in the file");
         case IdentificationStatus::iteration_limit:
         case IdentificationStatus::survey_does_not_fit:
         case IdentificationStatus::no_equilibrium:
@@ -519,8 +519,8 @@ std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const O
         Options of_epoch = options;
         of_epoch.survey = files.survey;
         epoch.survey =
-            read_survey(turned_net(net, all_turned(steps)), files.survey, options.reading());
-        tell_of_survey(of_epoch, epoch.survey, options.json);
+            read_survey(turned_net(net, all_turned(steps)), files.survey, options.read_options());
+        print_survey_notes(of_epoch, epoch.survey, options.json);
         with_survey_of(files.survey, [&] { check_survey(net, epoch.survey); });
         epochs.push_back(std::move(epoch));
     }
@@ -542,8 +542,8 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
 void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
     const std::optional<LengthPrior> prior = prior_of(net, options);
-    Survey survey = read_survey(net, options.survey, options.reading());
-    tell_of_survey(options, survey, options.json);
+    Survey survey = read_survey(net, options.survey, options.read_options());
+    print_survey_notes(options, survey, options.json);
     const std::optional<LengthModel> model = model_of(net, options, prior);
     const Forces forces = read_forces(net, options);
     const std::vector<UncertainParameter> uncertain = options.uncertain.given(net, options.net);
@@ -606,48 +606,61 @@ void run(const Options& options) {
 void add_identify(CLI::App& program) {
     auto options = std::make_shared<Options>();
     CLI::App& command = add_command(
-        program, "identify", "Tell each edge's unstressed length from one survey of the form",
-        "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);
-    command.add_option("NET", options->net, "Net file")->required();
+        program, "identify", "Estimate each edge's unstressed length from one survey of the form",
+        "  taut identify net.json survey.csv --noise 0.5mm -o result.json\n"
+        "  taut identify net.json survey.csv --noise 0.5mm --prior uniform:3mm \\\n"
+        "      --uncertain stiffness:3% --forces cells.csv --force-unit kN -o result.json",
+        *options);
+    command.add_option("NET", options->net, "Net file, as designed")->required();
     command
         .add_option("SURVEY", options->survey,
                     "Surveyed points: [id,]x,y,z[,sx,sy,sz[,rxy,rxz,ryz]] in m, any other table of "
-                    "points, PTS, XYZ, "
-                    "Leica GSI, LandXML, Trimble JXL, GNU Gama's XML, DXF. Targets without a name "
-                    "are matched by their place")
+                    "points, PTS, XYZ, Leica GSI, LandXML, Trimble JXL, GNU Gama XML or DXF. "
+                    "Targets without a name are matched by their place")
         ->required();
+    command.add_option("-o,--output", options->output, "Result to write (JSON)");
     add_survey_options(command, *options);
-    command
-        .add_option("--method", options->method,
-                    "gp (Gaussian processes), balance (force balance) or map (maximum a "
-                    "posteriori); default: by what is there")
-        ->check(CLI::IsMember({"gp", "balance", "map"}));
-    command.add_option("--model", options->model,
-                       "Model of taut train, for gp (default: trained now, on 1000 samples)");
     command.add_option("--prior", options->prior,
-                       "Prior of the length deviations (default: the model's, or a broad one "
+                       "Prior of the length deviations, that is the fabrication tolerance: "
+                       "uniform:5mm, normal:2mm, bimodal:5mm (default: the model's, or a broad one "
                        "around uniform:5mm)");
-    command.add_flag("--prior-exact", options->prior_exact,
-                     "Scale and shape of that prior are exact. Else its scale is uncertain by a "
-                     "factor of 1.5, and estimated with the lengths");
-    add_force_options(command, *options);
-    add_uncertain_option(command, options->uncertain, assumes_site);
-    command.add_option("--draws", options->draws,
-                       "Draws of lengths, forms and tensions from the posterior, for map; they "
-                       "are kept beside the result (_draws.h5). 0: none, and what is slack is told "
-                       "by the linearised fit alone (default: 200; 40 for more than 10,000 "
-                       "interior edges and for tension laws)");
     command
         .add_option("--epoch", options->epochs,
-                    "A later survey of the same net, and what was turned before it: "
-                    "second.csv:turned.csv, or second.csv where nothing was. Lengths are told by "
-                    "all surveys at once, the result by the last. May be repeated")
-        ->allow_extra_args(false);
-    command.add_option("--covariance-of", options->covariance_of,
-                       "Interior edges whose lengths' covariances the result is to hold, for map: "
-                       "a file that names them, one a line");
+                    "A later survey of the same net and the list of what was turned before it: "
+                    "second.csv:turned.csv, or second.csv where nothing was. All surveys together "
+                    "determine the lengths; the result is of the last. May be repeated")
+        ->allow_extra_args(false)
+        ->group(heading::input);
+    command
+        .add_flag("--prior-exact", options->prior_exact,
+                  "Take scale and shape of the prior as exact. Without it the scale is uncertain "
+                  "by a factor of 1.5 and estimated with the lengths")
+        ->group(heading::known);
+    add_force_options(command, *options);
+    add_uncertain_option(command, options->uncertain, assumes_site);
+    command
+        .add_option("--draws", options->draws,
+                    "Number of posterior samples of lengths, forms and tensions, for map, kept "
+                    "beside the result (_draws.h5). 0: none, and slack edges by the linearised "
+                    "fit only (default: 200; 40 for more than 10,000 interior edges and for "
+                    "tension laws)")
+        ->group(heading::output);
+    command
+        .add_option("--covariance-of", options->covariance_of,
+                    "Interior edges whose length covariances the result holds, for map: a file "
+                    "that names them, one a line")
+        ->group(heading::output);
+    command
+        .add_option("--method", options->method,
+                    "map (maximum a posteriori), balance (force balance) or gp (Gaussian "
+                    "processes); default: by the survey")
+        ->check(CLI::IsMember({"gp", "balance", "map"}))
+        ->group(heading::advanced);
+    command
+        .add_option("--model", options->model,
+                    "Model of taut train, for gp (default: trained now, on 1000 samples)")
+        ->group(heading::advanced);
     add_seed_option(command, options->seed);
-    command.add_option("-o,--output", options->output, "Result to write (JSON)");
     set_action(command, options, run);
 }
 

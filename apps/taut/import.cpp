@@ -32,21 +32,23 @@ struct ImportOptions : CommonOptions {
     std::string loads = "file";
 };
 
-/// The structure in the file, and a line that tells how it was taken.
+/// The structure in the file.
 ImportedStructure read_structure(const ImportOptions& options) {
     const std::string text = read_file(options.file);
     const ForeignFormat format = options.format.empty() ? detect_format(text, options.file)
                                                         : format_named(options.format, text);
     if (format != ForeignFormat::json && !options.select.empty()) {
-        throw std::invalid_argument("--select names a structure in a JSON file, which this is not");
+        throw std::invalid_argument(
+            "--select names a structure in a JSON file, but FILE is not JSON");
     }
     if ((format == ForeignFormat::csv) == options.edges.empty()) {
         throw std::invalid_argument(
             format == ForeignFormat::csv
-                ? fmt::format("{}: is taken as the CSV file of the nodes: name that of the edges "
-                              "with --edges",
-                              options.file)
-                : "--edges names the edges of a CSV file of nodes, which this is not");
+                ? fmt::format(
+                      "{}: is taken as the CSV file of the nodes. Give that of the edges by "
+                      "--edges",
+                      options.file)
+                : "--edges belongs to a CSV file of nodes, but FILE is not CSV");
     }
     switch (format) {
         case ForeignFormat::json:
@@ -80,7 +82,7 @@ ImportSettings settings_of(const ImportOptions& options) {
             parse_stress_strain(read_file(options.stress_strain), options.stress_strain);
     }
     if (!options.diameter.empty()) {
-        // A bare number is in mm, as cables are named.
+        // A bare number is in mm, by which cables are named.
         const bool is_number =
             options.diameter.find_first_not_of("0123456789.") == std::string::npos;
         const bool is_length =
@@ -174,7 +176,7 @@ void run(const ImportOptions& options) {
 void add_import(CLI::App& program) {
     auto options = std::make_shared<ImportOptions>();
     CLI::App& command =
-        add_command(program, "import", "Read a net that another program wrote",
+        add_command(program, "import", "Convert a net of another program",
                     "  taut import cablenet.json --young 205GPa --diameter size --force-unit kN"
                     " --loads balance -o hilo.json\n"
                     "  taut import nodes.csv --edges edges.csv --axial-stiffness 200kN -o net.json",
@@ -186,18 +188,18 @@ void add_import(CLI::App& program) {
     command.add_option("--from", options->format, "Format of FILE (default: by its content)")
         ->check(CLI::IsMember({"compas", "jax-fdm", "csv", "obj"}));
     command.add_option("--select", options->select,
-                       "Key of the mesh or network in FILE, where it holds more than one");
+                       "Key of the mesh or network in FILE, where it has several");
     command.add_option("--edges", options->edges,
                        "CSV file of the edges, where FILE is that of nodes");
     command.add_option("--supports", options->supports,
                        "Further supports: boundary, or a file of node ids");
     command.add_option("--axial-stiffness", options->axial_stiffness,
-                       "EA of all edges, as 200kN (a bare number is in N)");
+                       "EA of all edges, such as 200kN (a bare number is in N)");
     command.add_option("--young", options->young,
-                       "Young's modulus of all edges, as 205GPa (a bare number is in Pa)");
+                       "Young's modulus of all edges, such as 205GPa (a bare number is in Pa)");
     command.add_option("--stress-strain", options->stress_strain,
-                       "CSV table strain,stress (stress in Pa) of a piecewise linear law, with "
-                       "--diameter or the radii of FILE");
+                       "CSV table strain,stress (stress in Pa) of a piecewise linear tension law, "
+                       "with --diameter or the radii of FILE");
     command.add_option("--diameter", options->diameter,
                        "Diameter of all edges in mm, or the name of the attribute that gives it");
     command
@@ -205,8 +207,9 @@ void add_import(CLI::App& program) {
                     "Unit of forces, force densities and loads in FILE")
         ->check(CLI::IsMember({"N", "kN"}));
     command
-        .add_option("--loads", options->loads,
-                    "file: the file's loads; balance: those that hold the given form; none")
+        .add_option(
+            "--loads", options->loads,
+            "file: the loads of FILE; balance: those that keep the given form in equilibrium; none")
         ->check(CLI::IsMember({"balance", "file", "none"}))
         ->capture_default_str();
     set_action(command, options, run);

@@ -23,7 +23,7 @@
 namespace taut::app {
 namespace {
 
-/// Beyond these sizes the work takes minutes.
+/// Above these sizes the analyses take minutes.
 constexpr int most_edges_for_identifiability = 50'000;
 constexpr int most_edges_for_sensitivity = 3'000;
 
@@ -49,15 +49,15 @@ nlohmann::ordered_json to_json(const Range& range) {
     return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
 }
 
-/// What the equilibrium form tells; left out where it would take too long, or there is no form.
+/// Analyses of the equilibrium form, left out where they take too long or there is no equilibrium.
 struct Analysis {
     std::optional<StressStates> stress;
     std::optional<Identifiability> identifiability;
     std::vector<EdgeSensitivity> most_sensitive;
-    std::string left_out;  ///< what, and why; empty: nothing
+    std::string left_out;  ///< which, and why; empty: none
 };
 
-/// What is worth knowing of a net before anything is done with it.
+/// Properties of a net as it is given, and in equilibrium.
 struct Inspection {
     Eigen::Vector3d lower;  ///< corners of the bounding box [m]
     Eigen::Vector3d upper;
@@ -70,7 +70,7 @@ struct Inspection {
     Eigen::Vector3d load;          ///< sum over the free nodes [N]
     Equilibrium equilibrium;
     EnergyCertificate certificate;  ///< of the equilibrium
-    double move;                    ///< largest distance of a given node from its equilibrium [m]
+    double move;                    ///< largest distance from a given node to its equilibrium [m]
     Analysis analysis;              ///< of the equilibrium
     std::vector<std::string> warnings;
 };
@@ -130,7 +130,7 @@ nlohmann::ordered_json to_json(const Eigen::Vector3d& v) {
 }
 
 /// Adds the keys "self_stress_states", "mechanisms", "identifiability" and "most_sensitive_edges":
-/// null where left out, and then "left_out" tells why.
+/// null where left out, with the reason in "left_out".
 void add_analysis(nlohmann::ordered_json& document, const Analysis& it) {
     document["self_stress_states"] = nullptr;
     document["mechanisms"] = nullptr;
@@ -191,19 +191,19 @@ void print(const CableNet& net, const Analysis& it) {
     }
     if (it.identifiability) {
         const Identifiability& i = *it.identifiability;
-        say("lengths that follow from the form: {} of {} interior edges, condition {:.3g}\n",
+        say("lengths determined by an exact form: {} of {} interior edges, condition {:.3g}\n",
             i.determined.size(), net.interior_edge_count(), i.condition());
-        say("  not, for {} free states of self-stress: {}\n", i.free_self_stress,
+        say("  not determined, because of {} free states of self-stress: {}\n", i.free_self_stress,
             edges_text(net, i.undetermined));
-        say("  not, since slack: {}\n", edges_text(net, i.slack));
+        say("  not determined, because slack: {}\n", edges_text(net, i.slack));
     }
     if (!it.most_sensitive.empty()) {
-        say("a length 1 mm longer moves the form most at edge");
+        say("largest change of the form by 1 mm of length: edge");
         for (size_t k = 0; k < std::min<size_t>(5, it.most_sensitive.size()); ++k) {
             say("{} {} ({:.3g} mm)", k > 0 ? "," : "", net.edge_id(it.most_sensitive[k].edge),
                 it.most_sensitive[k].move);
         }
-        say(", over all coordinates\n");
+        say(" (norm over all coordinates)\n");
     }
     if (!it.left_out.empty()) {
         say("left out: {}\n", it.left_out);
@@ -220,7 +220,7 @@ void print(const CableNet& net, const Inspection& it) {
     say("{}\nfingerprint {}\n", counts_text(net), net.fingerprint());
     say("bounding box {:.4g} x {:.4g} x {:.4g} m\n", size.x(), size.y(), size.z());
     say("sum of loads {:.4g}, {:.4g}, {:.4g} N\n\n", it.load.x(), it.load.y(), it.load.z());
-    say("  {:<28}{:>12}{:>12}{:>12}\n", "as given", "least", "mean", "most");
+    say("  {:<28}{:>12}{:>12}{:>12}\n", "as given", "min", "mean", "max");
     line("length", "m", it.lengths, 1.0);
     line("unstressed length", "m", it.unstressed_lengths, 1.0);
     line("tension", "kN", it.tensions, 1e-3);
@@ -230,7 +230,7 @@ void print(const CableNet& net, const Inspection& it) {
     say("\n");
     say("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
     say("  {}\n", certificate_text(it.certificate));
-    say("  largest move of a node from where it is given: {:.4g} mm\n", 1e3 * it.move);
+    say("  largest distance of a node from its given place: {:.4g} mm\n", 1e3 * it.move);
     say("  slack edges: {}\n\n", edges_text(net, it.equilibrium.slack_edges));
     print(net, it.analysis);
 }
@@ -245,6 +245,7 @@ void run(const InspectOptions& options) {
             throw InputError(options.net, "", error.what());
         }
     }
+    check_outputs({options.names}, {options.net, options.survey, options.control});
     const Inspection inspection = inspect(net);
     warn(options.net, inspection.warnings);
     std::optional<PredictedSurvey> precision;
@@ -254,7 +255,6 @@ void run(const InspectOptions& options) {
                                  options.json);
     }
     if (precision && !options.names.empty()) {
-        check_outputs({options.names}, {options.net, options.survey, options.control});
         write_file(options.names, survey_names_csv(net, precision->survey));
     }
     if (options.json) {
@@ -275,28 +275,27 @@ void run(const InspectOptions& options) {
 
 void add_inspect(CLI::App& program) {
     auto options = std::make_shared<InspectOptions>();
-    CLI::App& command =
-        add_command(program, "inspect",
-                    "Tell what a net is: counts, lengths, tensions, balance, self-stress, what a "
-                    "form tells of its lengths, and which lengths move it most",
-                    "  taut inspect net.json\n"
-                    "  taut inspect net.json --survey targets.txt --noise 0.5mm\n"
-                    "  taut inspect net.json --survey targets.txt --noise 0.5mm --forces cells.txt",
-                    *options);
+    CLI::App& command = add_command(
+        program, "inspect", "Check a net, or predict the precision of a survey before it is made",
+        "  taut inspect net.json\n"
+        "  taut inspect net.json --survey targets.txt --noise 0.5mm\n"
+        "  taut inspect net.json --survey targets.txt --noise 0.5mm --forces cells.txt",
+        *options);
     command.add_option("NET", options->net, "Net file")->required();
-    CLI::Option* const survey = command.add_option(
-        "--survey", options->survey,
-        "Tell what a survey can determine, before it is made: a survey file, or the names of the "
-        "nodes to be targeted, one a line");
+    CLI::Option* const survey =
+        command.add_option("--survey", options->survey,
+                           "Predict what a survey determines: a survey file, or a file that names "
+                           "the nodes to be targeted, one a line");
     for (CLI::Option* option : add_survey_options(command, *options)) {
         option->needs(survey);
     }
     command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str()
-        ->needs(survey);
-    for (CLI::Option* option : add_reading_options(
+        ->needs(survey)
+        ->group(heading::known);
+    for (CLI::Option* option : add_force_measurement_options(
              command, *options,
-             "Edges with a load cell, one a line, or its readings: edge,tension[,std]")) {
+             "Edges with a load cell, one a line, or its measurements: edge,tension[,std]")) {
         option->needs(survey);
     }
     add_uncertain_option(command, options->uncertain, assumes_site)->needs(survey);

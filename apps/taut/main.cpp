@@ -8,10 +8,10 @@
 
 namespace {
 
-/// The one line that tells a failure.
+/// Prints a failure in one line.
 int end(int code, std::string_view message) noexcept {
     if (code != 0) {
-        taut::app::tell("error", message);
+        taut::app::print_message("error", message);
     }
     return code;
 }
@@ -21,10 +21,11 @@ int end(int code, std::string_view message) noexcept {
 int main(int argc, char** argv) {
     using namespace taut::app;
     prepare_streams();
-    leave(run_program({.name = "taut",
-                       .commands = {add_example, add_import, add_inspect, add_form, add_export,
-                                    add_sample, add_train, add_identify, add_plan, add_control,
-                                    add_reproduce, add_compare, add_report, add_survey},
-                       .end = end},
-                      argc, argv));
+    leave(run_program(
+        {.name = "taut",
+         .commands = {add_inspect, add_identify, add_plan, add_report},
+         .further_commands = {add_example, add_import, add_export, add_form, add_survey,
+                              add_control, add_compare, add_reproduce, add_sample, add_train},
+         .end = end},
+        argc, argv));
 }

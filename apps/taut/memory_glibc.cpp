@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Libraries that the program uses do not all survive a malloc that finds no memory: HDF5 1.10 reads
-// through the null pointer, or ends the process without a word. So the program has malloc's
-// functions in front of those of the C library, for all of its libraries, and ends with a line
-// where one fails.
+// Not all libraries survive a malloc that finds no memory: HDF5 1.10 reads through the null
+// pointer, or ends the process silently. So the program puts its own allocation functions in front
+// of those of the C library, for all of its libraries, and ends with a message where one fails.
 
 #include <bit>
 #include <cerrno>
@@ -22,8 +21,8 @@
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !defined(TAUT_MALLOC_IS_ANOTHERS)
 
-// glibc's own, under the names that it exports for this use. All of the family are here: memory of
-// one allocator must not go to the free() of another, which may be preloaded.
+// glibc's own, under the names that it exports for this use. The whole family is replaced: memory
+// of one allocator must not go to the free() of another, which may be preloaded.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);

@@ -37,7 +37,7 @@ constexpr std::array memory_units{MemoryUnit{"TiB", 1024.0 * gibibyte},
 struct Limit {
     double bytes;
     double reserve;    ///< what libraries take when work begins [bytes]
-    std::string text;  ///< as it was told
+    std::string text;  ///< as given
     std::string note;
 };
 std::optional<Limit> limit;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
@@ -49,7 +49,7 @@ std::string at_least_text(double bytes) {
 }
 
 #ifdef __linux__
-/// What counts against the limit now, as the system tells it [bytes]; 0 where it does not.
+/// What counts against the limit now, by the system [bytes]; 0 where that is not known.
 double memory_in_use() {
     std::ifstream status("/proc/self/status");
     for (std::string key; status >> key;) {
@@ -63,12 +63,12 @@ double memory_in_use() {
 void keep_to(std::uint64_t bytes) {
     rlimit kept{};
     if (getrlimit(RLIMIT_DATA, &kept) != 0) {
-        throw std::system_error(errno, std::generic_category(), "--memory cannot be kept");
+        throw std::system_error(errno, std::generic_category(), "--memory cannot be set");
     }
     if (kept.rlim_cur == RLIM_INFINITY || kept.rlim_cur > bytes) {
         kept.rlim_cur = bytes;
         if (setrlimit(RLIMIT_DATA, &kept) != 0) {
-            throw std::system_error(errno, std::generic_category(), "--memory cannot be kept");
+            throw std::system_error(errno, std::generic_category(), "--memory cannot be set");
         }
     }
 }
@@ -78,8 +78,7 @@ double memory_in_use() {
 }
 
 void keep_to(std::uint64_t /*bytes*/) {
-    throw std::invalid_argument(
-        "--memory is told, but this system keeps no such limit: Linux does");
+    throw std::invalid_argument("--memory works on Linux only");
 }
 #endif
 

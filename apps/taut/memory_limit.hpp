@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-/// --memory: what a command may take. The system keeps it: an allocation beyond it fails, and the
-/// program ends with its one line. Where it is known beforehand that it will not do, the command is
-/// refused before the work.
+/// --memory: the memory that a command may take. The system enforces it: an allocation beyond it
+/// fails, and the program ends with one line. A command known to need more is refused before its
+/// work.
 namespace taut::app {
 
 /// Bytes of "8GiB", "500 MB", "1.5GB".
@@ -19,11 +19,10 @@ namespace taut::app {
 /// @param text as parse_memory() takes it
 /// @param threads that will work
 /// @throws std::invalid_argument as parse_memory(), where the program holds too much before its
-/// work
-///   begins, and on systems that keep no such limit
+///   work begins, and on systems without such a limit
 void limit_memory(const std::string& text, int threads);
 
-/// What the limit is, behind a message: " (--memory is 1.5 GiB)", or nothing. Asks for no memory.
+/// The limit, to end a message with: " (--memory is 1.5 GiB)", or nothing. Allocates nothing.
 [[nodiscard]] std::string_view memory_limit_note() noexcept;
 
 /// Refuses what takes more than --memory allows, before the work.

@@ -23,15 +23,15 @@ double sampling_memory(const CableNet& net, double samples) {
 
 double training_memory(const CableNet& net, double samples) {
     const gp::FitSettings settings;
-    // The forms among the samples, and as inputs with what each tells less.
+    // The forms of the samples, once more as scaled inputs.
     const double inputs = 2.0 * samples * 3.0 * net.free_node_count();
     double at_work = 0.0;
     if (samples <= settings.most_decomposed) {
-        // The decompositions, nearly all of which are the best for some edge; and the same again in
-        // the bytes of the model's file, or as what the next ones are made in.
+        // The decompositions, nearly all of which are kept as the best for some edge, and as much
+        // again for the bytes of the model's file, or as work space of the next ones.
         at_work = 2.0 * settings.max_spectra * samples * samples;
     } else {
-        // Of each of up to three lambdas the directions; and what the next ones are made of.
+        // The directions of up to three lambdas, and as much again as work space.
         at_work = 6.0 * samples * settings.rank;
     }
     // Measured, for 300 to 1500 samples on one and two threads: 25 to 43 MiB.

@@ -4,14 +4,14 @@
 
 #include "taut/net/cable_net.hpp"
 
-/// What work holds in memory at its peak [bytes], by the arrays that it cannot do without. Measured
-/// by benchmarks/memory.py, which docs/performance.md shows.
+/// Peak memory of the work [bytes], by its largest arrays. benchmarks/memory.py measures it, and
+/// docs/performance.md shows the outcome.
 namespace taut::app {
 
-/// A data set in memory, and as the bytes of its file while that is written.
+/// A data set in memory, and again as the bytes of its file while that is written.
 [[nodiscard]] double sampling_memory(const CableNet& net, double samples);
 
-/// Training on so many samples: the data set, the forms among it, and the decompositions.
+/// Training on so many samples: the data set, copies of its forms, and the decompositions.
 [[nodiscard]] double training_memory(const CableNet& net, double samples);
 
 }  // namespace taut::app

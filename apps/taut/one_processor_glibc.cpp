@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// OpenBLAS starts a thread for each processor but one while it is loaded, before main(); where it
-// gets none, it prints lines of its own and raises SIGINT. The program uses none of them
-// (numerics/serial_blas.hpp). OpenBLAS counts the processors that the process may run on: while
-// libraries are loaded, that is one.
+// While it is loaded, before main(), OpenBLAS starts a thread for each processor but one. Where it
+// gets none, it prints lines of its own and raises SIGINT. The program uses none of these threads
+// (numerics/serial_blas.hpp). OpenBLAS counts the processors that the process may run on, so this
+// file makes that one processor until all libraries are loaded.
 #include <cstdlib>  // defines __GLIBC__
 
 #if defined(__linux__) && defined(__GLIBC__)

@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "taut/files/file.hpp"
+#include "taut/report/report_html.hpp"
 
 namespace taut::app {
 
@@ -15,8 +16,9 @@ void check_output_directory(const std::filesystem::path& directory,
     if (directory.empty()) {
         throw std::invalid_argument("the output directory has no name");
     }
+    refuse_outputs({directory.string()}, {});
     for (const std::string& name : names) {
-        refuse_overwriting({(directory / name).string()}, inputs);
+        refuse_outputs({(directory / name).string()}, inputs);
     }
     std::filesystem::path first_new = std::filesystem::absolute(directory) / names.front();
     while (!std::filesystem::exists(first_new.parent_path())) {
@@ -26,6 +28,11 @@ void check_output_directory(const std::filesystem::path& directory,
     for (const std::string& name : names) {
         note_left_files(directory / name);
     }
+}
+
+std::string report_text(const std::filesystem::path& directory) {
+    return has_report_viewer() ? (directory / "report.html").string()
+                               : "left out, this taut was built without Node.js";
 }
 
 }  // namespace taut::app

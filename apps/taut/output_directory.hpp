@@ -8,13 +8,16 @@
 
 namespace taut::app {
 
-/// Refuses a directory that could not be written to, before the work and without making it, and one
-/// where an input would be written over.
+/// Refuses a directory that cannot be written to, before the work and without making it, and one
+/// where an input would be overwritten.
 /// @param names of the files that may be written there, at least one
 /// @throws std::invalid_argument for an empty directory name
 /// @throws OutputError
 void check_output_directory(const std::filesystem::path& directory,
                             const std::vector<std::string>& names,
                             const std::vector<std::string>& inputs);
+
+/// Where the report of a directory is, or why there is none.
+[[nodiscard]] std::string report_text(const std::filesystem::path& directory);
 
 }  // namespace taut::app

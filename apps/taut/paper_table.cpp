@@ -35,13 +35,13 @@ std::string method_line(const MethodResult& method) {
                                        : "-",
                                    fmt::format("{:.0f}", 1e3 * method.seconds));
     if (method.failed > 0) {
-        text += fmt::format("  {:<15}failed on {} of {} samples, left out above: {}\n", "",
+        text += fmt::format("  {:<15}failed on {} of {} samples, not counted above: {}\n", "",
                             method.failed, method.surveys, method.first_failure);
     }
     return text;
 }
 
-/// A line for the paper and one for each method.
+/// One line for the paper and one for each method.
 std::string lengths_table(const Study& study, const PaperFigures& paper) {
     std::string text =
         "\nIdentified lengths, of exact forms\n" +
@@ -70,8 +70,9 @@ std::string paper_table(const Study& study) {
         study.data.not_converged());
     if (study.net.free_node_count() != paper.free_nodes ||
         study.net.interior_edge_count() != paper.interior_edges) {
-        text += fmt::format("The paper's net is another one: {} free nodes, {} interior edges.\n",
-                            paper.free_nodes, paper.interior_edges);
+        text +=
+            fmt::format("The paper uses another net, with {} free nodes and {} interior edges.\n",
+                        paper.free_nodes, paper.interior_edges);
     }
     text += lengths_table(study, paper);
     text += fmt::format("\nForm error [mm]{:>18}{:>29}\n", "nominal", "identified");
@@ -86,8 +87,8 @@ std::string paper_table(const Study& study) {
     line("mean", &FormErrorSummary::mean);
     line("RMSE", &FormErrorSummary::rmse);
     text +=
-        "  here: gp_as_in_paper, the first validation sample, as in the paper; mean: over all of "
-        "them\n";
+        "  here: gp_as_in_paper, the first validation sample, as in the paper; mean: over all "
+        "samples\n";
     text += fmt::format("  identified / nominal, means: paper {:.3f}, here {:.3f}\n",
                         paper.form_errors.identified.mean / paper.form_errors.nominal.mean,
                         study.form_errors.identified.mean / study.form_errors.nominal.mean);

@@ -46,12 +46,12 @@ struct PlanCommand : CommonOptions {
     std::string tolerance;
     std::string adjustable;
     std::string confidence = "95%";
-    std::string survey_first;
+    std::string suggest_targets;  ///< standard deviation of a target
     std::string actuator = "0mm";
     std::string thread;
     std::string csv;
     int crews = 1;
-    int further = 0;
+    int suggest_adjustable = 0;  ///< how many
     bool accept_failed = false;
     std::uint64_t seed = 1;
 };
@@ -71,17 +71,17 @@ void take_tension(const CableNet& net, const std::string& text, TensionLimits& l
     const TensionRange range = parse_tension_range(text.substr(0, at));
     const Eigen::VectorXd& breaking_load = net.data().breaking_load;
     if (range.has_part() && breaking_load.size() == 0) {
-        throw std::invalid_argument(fmt::format(
-            "--tension is '{}', a part of the breaking load, which the net does not tell: "
-            "breaking_load in N is missing",
-            text));
+        throw std::invalid_argument(
+            fmt::format("--tension is '{}', a part of the breaking load, but the net file has no "
+                        "breaking_load (in N)",
+                        text));
     }
     const auto set = [&](int edge) {
         const double strength = range.has_part() ? breaking_load(edge) : 0.0;
-        if (range.least.is_told) {
+        if (range.least.is_given) {
             limits.lower(edge) = range.least.at(strength);
         }
-        if (range.most.is_told) {
+        if (range.most.is_given) {
             limits.upper(edge) = range.most.at(strength);
         }
     };
@@ -121,9 +121,9 @@ ReactionLimit reaction_limit(const CableNet& net, const std::string& text) {
     return limit;
 }
 
-/// Narrows strokes so that no turnbuckle stands further than a total from its designed length.
-void hold_total_stroke(const CableNet& net, const CableNet& built, const std::string& text,
-                       const std::vector<int>& edges, Limits& limits) {
+/// Narrows the strokes so that no turnbuckle ends further than `text` from its designed length.
+void limit_total_stroke(const CableNet& net, const CableNet& built, const std::string& text,
+                        const std::vector<int>& edges, Limits& limits) {
     const double total = parse_length(text);
     if (!(total > 0.0) || std::isinf(total)) {
         throw std::invalid_argument(
@@ -131,18 +131,18 @@ void hold_total_stroke(const CableNet& net, const CableNet& built, const std::st
     }
     for (size_t k = 0; k < edges.size(); ++k) {
         const int edge = edges[k];
-        const double reading = built.unstressed_lengths()(edge) - net.unstressed_lengths()(edge);
-        if (std::abs(reading) > total * (1.0 + 1e-9)) {
+        const double offset = built.unstressed_lengths()(edge) - net.unstressed_lengths()(edge);
+        if (std::abs(offset) > total * (1.0 + 1e-9)) {
             throw std::invalid_argument(fmt::format(
-                "--total-stroke is '{}', but the turnbuckle of edge '{}' stands {:.2f} mm from its "
-                "designed length already",
-                text, net.edge_id(edge), 1e3 * reading));
+                "--total-stroke is '{}', but the turnbuckle of edge '{}' already is {:.2f} mm from "
+                "its designed length",
+                text, net.edge_id(edge), 1e3 * offset));
         }
         const auto at = static_cast<Eigen::Index>(k);
         limits.shortest_stroke(at) =
-            std::max(limits.shortest_stroke(at), std::min(0.0, -total - reading));
+            std::max(limits.shortest_stroke(at), std::min(0.0, -total - offset));
         limits.longest_stroke(at) =
-            std::min(limits.longest_stroke(at), std::max(0.0, total - reading));
+            std::min(limits.longest_stroke(at), std::max(0.0, total - offset));
     }
 }
 
@@ -189,9 +189,9 @@ std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNe
         limits = limits_of_stroke(net, edges.size(), stroke);
     }
     if (!command.total_stroke.empty()) {
-        hold_total_stroke(net, built, command.total_stroke, edges, limits);
+        limit_total_stroke(net, built, command.total_stroke, edges, limits);
     }
-    // Limits of all edges first: what a group is told beside them goes before.
+    // Limits of all edges first, so that those of a group override them.
     for (const bool is_of_group : {false, true}) {
         for (const std::string& text : command.tension) {
             if ((text.find('@') != std::string::npos) == is_of_group) {
@@ -223,34 +223,34 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
     if (!command.tolerance.empty()) {
         options.tolerance = parse_length(command.tolerance);
     }
-    if (!command.survey_first.empty()) {
-        options.survey_noise = parse_length(command.survey_first);
+    if (!command.suggest_targets.empty()) {
+        options.survey_noise = parse_length(command.suggest_targets);
     }
     return options;
 }
 
-/// Whether one should rather look again before turning, and where.
-void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
+/// Targets that would improve the plan if they were surveyed before anything is turned.
+void print_suggested_targets(const CableNet& net, const Plan& plan, double noise) {
     if (plan.draws == 0) {
-        say("which targets to survey first is not known, since {}\n", plan.no_draws_since);
+        say("no targets are suggested, since {}\n", plan.no_draws_since);
         return;
     }
     if (plan.further_targets.empty()) {
-        say("survey first: no single target seen with {} tells more of the planned form\n",
+        say("no single further target, surveyed to {}, would improve the planned form\n",
             format_length(noise));
         return;
     }
-    say("survey first: of these {:.2f} mm, targets seen with {} would leave\n",
-        1e3 * plan.normal_std, format_length(noise));
+    say("suggested targets, surveyed to {}: they reduce these {:.2f} mm to\n", format_length(noise),
+        1e3 * plan.normal_std);
     for (const FurtherTarget& target : plan.further_targets) {
-        say("  {:<12} {:.3f} mm, with those above\n", net.node_id(target.node),
+        say("  {:<12} {:.3f} mm, together with those above\n", net.node_id(target.node),
             1e3 * target.normal_std);
     }
-    say("  turning as planned takes {:.2f} mm off the normal RMS\n",
+    say("  the planned turns reduce the normal RMS by {:.2f} mm\n",
         1e3 * (plan.as_built.normal_rmse - plan.planned.normal_rmse));
 }
 
-/// Empty where none is told: a wrong one would have crews turn the wrong way.
+/// Empty where it is not given: by a wrong one crews would turn the wrong way.
 std::optional<Thread> thread_of(const std::string& text) {
     if (text.empty()) {
         return std::nullopt;
@@ -264,7 +264,7 @@ void print_deviation(const char* what, const FormDeviation& d) {
 }
 
 std::string where_text(const CableNet& net, const LimitBreach& breach) {
-    // As many digits as tell the force from its limit.
+    // As many digits as show the force and its limit to differ.
     const auto both = [&](int digits) {
         return std::pair(fmt::format("{:.{}g}", 1e-3 * breach.value, digits),
                          fmt::format("{:.{}g}", 1e-3 * breach.limit, digits));
@@ -288,7 +288,7 @@ void print_breaches(const CableNet& net, const Plan& plan) {
         const LimitBreach& breach = plan.breaches[i];
         say("  {}{}\n", where_text(net, breach),
             plan.draws > 0
-                ? fmt::format(", kept in {:.0f} % of the draws", 100.0 * breach.probability)
+                ? fmt::format(", kept with a probability of {:.0f} %", 100.0 * breach.probability)
                 : "");
     }
     if (plan.breaches.size() > shown) {
@@ -305,26 +305,28 @@ void print_limits(const PlanRecord& record) {
     if (plan.draws > 0) {
         const double kept = std::round(*plan.limit_probability * plan.draws);
         const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
-        say("{} in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n",
-            is_limited ? "all limits are kept" : "no cable goes slack", kept, plan.draws,
-            100.0 * *plan.limit_probability, 100.0 * record.options->confidence, needed);
+        say("{} with a probability of {:.1f} % (required: {:g} %, at least {:.0f} of {} samples)\n",
+            is_limited ? "All limits are kept" : "No cable goes slack",
+            100.0 * *plan.limit_probability, 100.0 * record.options->confidence, needed,
+            plan.draws);
         if (!plan.is_feasible && kept >= needed) {
-            say("  but the estimate itself breaks limits: do not rely on the draws here\n");
+            say("  but the estimate itself breaks limits: do not rely on this probability\n");
         }
     } else {
         const std::string_view kept = is_limited ? "limits are kept" : "no cable goes slack";
         const std::string_view broken = is_limited ? "limits are broken" : "cables go slack";
         say("{} by the estimate{}\n", plan.is_feasible ? kept : broken,
-            is_limited ? "" : ", which cannot be promised, since " + plan.no_draws_since);
+            is_limited ? "" : "; its probability is not known, since " + plan.no_draws_since);
     }
 }
 
 void print_order(const PlanRecord& record) {
     const Plan& plan = *record.plan;
     const TurnOrder& order = *record.order;
-    say("order: {} pass{}, {} crew{}, {:.0f} m to walk in all; {}\n", order.passes,
+    say("Order of work: {} pass{}, {} crew{}, {:.0f} m of walking. {}\n", order.passes,
         order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
-        order.is_safe ? "no step breaks a limit that was kept before" : "no safe order was found");
+        order.is_safe ? "No step breaks a limit that was kept before."
+                      : "No order was found in which no step breaks a limit.");
     if (plan.draws > 0 && !plan.strokes.empty()) {
         say("  probability that no step breaks a limit: {:.1f} % (required: {:g} %)\n",
             100.0 * order.safe_probability, 100.0 * record.options->confidence);
@@ -333,7 +335,7 @@ void print_order(const PlanRecord& record) {
         say("  at step {} {}{}\n", order.worst.moment + 1,
             where_text(*record.net, order.worst.breach),
             order.worst.breach.probability > 0.0
-                ? fmt::format(", kept in {:.0f} % of the draws",
+                ? fmt::format(", kept with a probability of {:.0f} %",
                               100.0 * order.worst.breach.probability)
                 : "");
     }
@@ -346,29 +348,28 @@ void print(const PlanCommand& command, const PlanRecord& record) {
         say("{}\n", warning);
     }
     if (!record.trust->findings.empty() &&
-        record.trust->verdict() != Trust::Verdict::failed) {  // of which the first warning tells
+        record.trust->verdict() != Trust::Verdict::failed) {  // then the first warning says so
         say("identification {}: {}\n", to_string(record.trust->verdict()),
             record.trust->findings.front().reason);
     }
-    say("{:<24}{:>18}{:>33}\n", "distance from target", "all directions", "along the normal");
+    say("{:<24}{:>18}{:>33}\n", "deviation from target", "3D", "along the normal");
     say("{:<24}{:>9}{:>9}{:>15}{:>9}{:>9}\n", "[mm]", "mean", "max", "mean", "max", "RMS");
     print_deviation("as built", plan.as_built);
     print_deviation("planned", plan.planned);
-    print_deviation("no limits, no slack", plan.unconstrained);
+    print_deviation("unconstrained optimum", plan.unconstrained);
     if (plan.draws > 0) {
-        say("not known of the planned form along the normal: {:.2f} mm RMS\n",
+        say("standard deviation of the planned form along the normal: {:.2f} mm RMS\n",
             1e3 * plan.normal_std);
     }
     if (!plan.strokes.empty() && plan.draws > 0 && !record.options->tolerance &&
         plan.as_built.normal_rmse - plan.planned.normal_rmse < plan.normal_std) {
-        say("  turning gains less than that along the normal: --tolerance turns fewer edges, "
-            "or none\n");
+        say("  The turns gain less than that. Turn fewer edges, or none: --tolerance.\n");
     }
     if (record.options->survey_noise) {
-        print_survey_first(net, plan, *record.options->survey_noise);
+        print_suggested_targets(net, plan, *record.options->survey_noise);
     }
     if (record.options->turn && record.options->turn->step() > 0.0) {
-        say("whole steps of {}: normal RMS {:.3f} mm, with free strokes {:.3f} mm\n",
+        say("normal RMS in whole steps of {}: {:.3f} mm, without steps {:.3f} mm\n",
             format_length(record.options->turn->step()), 1e3 * plan.planned.normal_rmse,
             1e3 * plan.normal_rmse_of_free_strokes);
     }
@@ -378,7 +379,7 @@ void print(const PlanCommand& command, const PlanRecord& record) {
         say("within {}: {}{}\n", format_length(*record.options->tolerance),
             *plan.is_within_tolerance ? "yes" : "no",
             plan.fewest_bound
-                ? fmt::format("; to first order no fewer than {} edges can do", *plan.fewest_bound)
+                ? fmt::format("; to first order at least {} edges are needed", *plan.fewest_bound)
                 : "");
     }
     say("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
@@ -388,17 +389,17 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     print_order(record);
     if (record.further) {
         say("{}\n", record.further->empty()
-                        ? "no further edge would help"
-                        : "further edges that would help most, each with those before it:");
+                        ? "no further adjustable edge would help"
+                        : "suggested further adjustable edges, each with those above it:");
         for (const FurtherEdge& further : *record.further) {
-            say("  edge {}: by {:.2f} mm, normal RMS {:.3f} mm then\n", net.edge_id(further.edge),
-                1e3 * further.stroke, 1e3 * further.normal_rmse_after);
+            say("  edge {}: by {:.2f} mm, which leaves a normal RMS of {:.3f} mm\n",
+                net.edge_id(further.edge), 1e3 * further.stroke, 1e3 * further.normal_rmse_after);
         }
     }
     say("written to {}\n", command.output);
     if (!command.csv.empty()) {
         say("written to {}: the list for the crews{}\n", command.csv,
-            plan.is_feasible ? "" : ", by which limits are broken");
+            plan.is_feasible ? "" : ", which breaks limits");
     }
 }
 
@@ -407,9 +408,9 @@ Plan planned(const std::string& result, const BuiltNet& built, const FormTarget&
     try {
         return plan_strokes(built, target, limits, options, progress);
     } catch (const FailedIdentification& failed) {
-        throw InputError(result, "",
-                         fmt::format("{}; --accept-failed plans on it all the same, for study only",
-                                     failed.what()));
+        throw InputError(
+            result, "",
+            fmt::format("{}; --accept-failed plans all the same, for study only", failed.what()));
     }
 }
 
@@ -435,9 +436,9 @@ void run(const PlanCommand& command) {
                                          .seed = options.seed},
                                         line.progress());
     std::optional<std::vector<FurtherEdge>> further;
-    if (command.further > 0) {
-        further = further_edges(identified.built, target, limits, options, plan, command.further,
-                                line.progress());
+    if (command.suggest_adjustable > 0) {
+        further = further_edges(identified.built, target, limits, options, plan,
+                                command.suggest_adjustable, line.progress());
     }
     const PlanRecord record{.net = &net,
                             .built = &identified.built,
@@ -451,7 +452,7 @@ void run(const PlanCommand& command) {
                             .crews = command.crews,
                             .thread = thread_of(command.thread)};
     const std::string document = plan_to_json(record, run_record());
-    // The list first: a plan with the list of an older one beside it would be worked off.
+    // The list first: beside a new plan, crews would work off the list of an older one.
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     if (!command.csv.empty()) {
         files.emplace_back(command.csv, plan_to_csv(record));
@@ -465,11 +466,12 @@ void run(const PlanCommand& command) {
     }
     if (!plan.is_feasible) {
         throw NumericalFailure(fmt::format(
-            "no strokes were found that keep all limits{}{}; the plan that was written breaks "
-            "the least: {}",
-            plan.draws > 0 ? fmt::format(" with {:.0f} %", 100.0 * options.confidence) : "",
+            "no strokes were found that keep all limits{}{}. The written plan comes closest: {}",
+            plan.draws > 0
+                ? fmt::format(" with a probability of {:.0f} %", 100.0 * options.confidence)
+                : "",
             options.turn && options.turn->step() > 0.0 ? ", in whole steps" : "",
-            plan.breaches.empty() ? "some draws find no equilibrium"
+            plan.breaches.empty() ? "some posterior samples find no equilibrium"
                                   : where_text(net, plan.breaches.front())));
     }
 }
@@ -480,71 +482,87 @@ void add_plan(CLI::App& program) {
     auto options = std::make_shared<PlanCommand>();
     CLI::App& command = add_command(
         program, "plan",
-        "Tell which turnbuckle to turn how far, and in which order, so that the net comes near "
-        "its\n"
-        "target and keeps its limits",
+        "Plan which turnbuckles to turn, how far and in which order, to reach the target form "
+        "within\nlimits of force",
         "  taut plan net.json result.json -o plan.json --csv turns.csv --tension 1.5kN..10kN \\\n"
         "      --turn 5mm --step 1/4 --thread right\n"
-        "  taut report plan.json -o plan.html",
+        "  taut plan net.json result.json -o plan.json --target roof.obj --target-unit mm \\\n"
+        "      --tolerance 2mm --suggest-adjustable 3",
         *options);
     command.add_option("NET", options->net, "Net file, as designed")->required();
     command.add_option("RESULT", options->result, "Result of taut identify")->required();
     add_output_option(command, options->output, "Plan to write (JSON)");
-    options->target.add_to(command);
+    command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
+    command.add_option("--tension", options->tension,
+                       "Limits of tension, 1.5kN..10kN[@GROUP], or parts of the breaking load in "
+                       "NET, 20%..60%. May be repeated (default: no edge slack)");
     command
         .add_option("--stroke", options->stroke,
-                    "How far a turnbuckle may be turned from where it stands, either way; or a "
-                    "file edge,shortest,longest in m")
+                    "Largest change of length of a turnbuckle from where it is now, either way; "
+                    "or a file edge,shortest,longest in m")
         ->capture_default_str();
-    command.add_option(
-        "--total-stroke", options->total_stroke,
-        "How far a turnbuckle may then stand from its designed length in NET, either "
-        "way (default: any)");
-    command.add_option("--tension", options->tension,
-                       "Limits of tension, 1.5kN..10kN[@GROUP], or parts of the breaking load that "
-                       "NET tells, 20%..60%; may be given again (default: no edge slack)");
-    command.add_option("--reaction", options->reaction,
-                       "Largest force at a support, 20kN[@GROUP of edges]; may be given again");
-    command.add_option("--check", options->checks,
-                       "Loads that come on top later, id,x,y,z in N; the limits of tension hold "
-                       "then, too. May be given again");
-    command.add_option("--turn", options->turn, "Change of length by one turn, 5mm");
+    command.add_option("--turn", options->turn, "Change of length by one turn, such as 5mm");
     command
         .add_option("--step", options->step,
-                    "Smallest part of a turn, 1/4: strokes are whole steps (default: any)")
+                    "Smallest part of a turn, such as 1/4: strokes are whole steps (default: any)")
         ->needs("--turn");
-    command.add_option("--tolerance", options->tolerance,
-                       "Turn the fewest edges with which the RMS along the normal (the largest, "
-                       "with --objective largest) is at most this");
-    command.add_option("--adjustable", options->adjustable,
-                       "Edges that may be turned, one a line (default: those of NET)");
     command
-        .add_option("--confidence", options->confidence,
-                    "With which all limits are to hold over the draws of RESULT")
+        .add_option("--thread", options->thread,
+                    "Thread of all turnbuckles, overriding that of each in NET. Without either the "
+                    "plan has no sense of rotation")
+        ->check(CLI::IsMember({"right", "left"}));
+    command.add_option("--crews", options->crews, "Number of crews that turn at the same time")
         ->capture_default_str();
-    command.add_option("--suggest-targets", options->survey_first,
-                       "Tell which targets, seen with this noise, would tell most of the planned "
-                       "form before anything is turned: 0.5mm");
+    options->target.add_to(command);
+    command
+        .add_option("--adjustable", options->adjustable,
+                    "Edges that may be turned, one a line (default: those of NET)")
+        ->group(heading::input);
     command
         .add_option("--actuator", options->actuator,
-                    "Standard deviation of what is turned from what was told")
-        ->capture_default_str();
-    command.add_option("--crews", options->crews, "That turn at once")->capture_default_str();
+                    "Standard deviation of a stroke as made from the stroke as planned")
+        ->capture_default_str()
+        ->group(heading::known);
     command
-        .add_option(
-            "--thread", options->thread,
-            "Of all turnbuckles, in place of what NET tells of each; where neither does, no "
-            "sense of rotation is told")
-        ->check(CLI::IsMember({"right", "left"}));
+        .add_option("--tolerance", options->tolerance,
+                    "Turn the fewest edges with which the RMS along the normal (the max, with "
+                    "--objective largest) is at most this")
+        ->group(heading::limits);
     command
-        .add_option("--suggest-adjustable", options->further,
-                    "Tell so many further edges that would help most if they were made adjustable "
+        .add_option("--confidence", options->confidence,
+                    "Probability with which all limits hold, over the posterior samples of RESULT")
+        ->capture_default_str()
+        ->group(heading::limits);
+    command
+        .add_option("--total-stroke", options->total_stroke,
+                    "Largest deviation of a turnbuckle from its designed length in NET, either "
+                    "way (default: any)")
+        ->group(heading::limits);
+    command
+        .add_option("--reaction", options->reaction,
+                    "Largest force at a support, 20kN[@GROUP of edges]. May be repeated")
+        ->group(heading::limits);
+    command
+        .add_option("--check", options->checks,
+                    "Later additional loads, a file id,x,y,z in N, under which the limits of "
+                    "tension hold as well. May be repeated")
+        ->group(heading::limits);
+    command
+        .add_option("--suggest-adjustable", options->suggest_adjustable,
+                    "Suggest so many further edges that would help most if they were adjustable "
                     "or cut to another length")
-        ->check(CLI::Range(1, 1000));
-    command.add_flag("--accept-failed", options->accept_failed,
-                     "Plan on an identification that failed its tests, too; all that is written "
-                     "says that it is not to be used");
-    command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
+        ->check(CLI::Range(1, 1000))
+        ->group(heading::output);
+    command
+        .add_option("--suggest-targets", options->suggest_targets,
+                    "Suggest targets to survey before turning, those that would improve the "
+                    "planned form most if surveyed with this standard deviation, such as 0.5mm")
+        ->group(heading::output);
+    command
+        .add_flag("--accept-failed", options->accept_failed,
+                  "Plan on an identification that failed its checks, for study. All output says "
+                  "that it is not to be used")
+        ->group(heading::advanced);
     add_seed_option(command, options->seed);
     set_action(command, options, run);
 }

@@ -57,12 +57,12 @@ TensionRange parse_tension_range(const std::string& text) {
     }
     const auto end_of = [](const std::string& end, double none) -> TensionRange::End {
         if (end.empty()) {
-            return {.value = none, .is_part = false, .is_told = false};
+            return {.value = none, .is_part = false, .is_given = false};
         }
         const bool is_part = end.find('%') != std::string::npos;
         return {.value = is_part ? parse_part(end) : parse_force(end),
                 .is_part = is_part,
-                .is_told = true};
+                .is_given = true};
     };
     const TensionRange range{
         .least = end_of(text.substr(0, dots), 0.0),

@@ -9,24 +9,24 @@
 
 namespace taut::app {
 
-/// --turn 5mm --step 1/4; nothing where no turn is told.
+/// --turn 5mm --step 1/4; nothing where no turn is given.
 /// @throws std::invalid_argument
 std::optional<TurnSize> parse_turn(const std::string& turn, const std::string& step);
 
-/// Limits of tension as they were told.
+/// Limits of tension, as given.
 struct TensionRange {
     /// A force [N], or a part of the breaking load.
     struct End {
         double value = 0.0;
         bool is_part = false;
-        bool is_told = false;
-        /// @param breaking_load of the edge; read of a part only [N]
+        bool is_given = false;
+        /// @param breaking_load of the edge, used for a part only [N]
         [[nodiscard]] double at(double breaking_load) const {
             return is_part ? value * breaking_load : value;
         }
     };
     End least;
-    End most;  ///< infinite where it is not told
+    End most;  ///< infinite where it is not given
     [[nodiscard]] bool has_part() const { return least.is_part || most.is_part; }
 };
 

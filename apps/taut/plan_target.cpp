@@ -53,30 +53,30 @@ DeviationWeights parse_weights(const std::string& text) {
     return weights;
 }
 
-/// What is odd about a surface but need not be wrong.
-std::vector<std::string> oddities(const CableNet& net, const TargetSurface& surface) {
+/// What about a surface may be wrong.
+std::vector<std::string> surface_warnings(const CableNet& net, const TargetSurface& surface) {
     std::vector<std::string> result;
     if (surface.left_out() > 0) {
-        result.push_back(fmt::format("{} of {} triangles have no area and are left out",
+        result.push_back(fmt::format("{} of {} triangles have no area and are not used",
                                      surface.left_out(),
                                      surface.left_out() + surface.triangle_count()));
     }
-    int beyond = 0;
+    int outside = 0;
     int furthest = -1;
-    double most = 1e-3;  // less than 1 mm is not told
+    double most = 1e-3;  // below 1 mm no warning
     for (const int node : net.free_nodes()) {
         const double distance = surface.nearest(net.nodes().col(node)).beyond_border;
-        beyond += distance > 1e-3 ? 1 : 0;
+        outside += distance > 1e-3 ? 1 : 0;
         if (distance > most) {
             most = distance;
             furthest = node;
         }
     }
-    if (beyond > 0) {
+    if (outside > 0) {
         result.push_back(fmt::format(
-            "{} node{} beyond the border of the surface, '{}' by {}; there it goes on as it is at "
-            "its border",
-            beyond, beyond == 1 ? " is" : "s are", net.node_id(furthest),
+            "{} node{} outside the border of the surface, '{}' by {}. The surface is extended "
+            "there",
+            outside, outside == 1 ? " is" : "s are", net.node_id(furthest),
             format_length(1e-4 * std::round(1e4 * most))));
     }
     return result;
@@ -89,7 +89,7 @@ FormTarget read_surface_target(const CableNet& net, const TargetOptions& options
     try {
         const auto surface = std::make_shared<const TargetSurface>(mesh.vertices, mesh.triangles);
         FormTarget target(net, surface, weights, objective);
-        warn(options.target, oddities(net, *surface));
+        warn(options.target, surface_warnings(net, *surface));
         return target;
     } catch (const std::invalid_argument& error) {
         throw InputError(options.target, "", error.what());
@@ -99,35 +99,43 @@ FormTarget read_surface_target(const CableNet& net, const TargetOptions& options
 }  // namespace
 
 void TargetOptions::add_to(CLI::App& command) {
-    command.add_option("--target", target,
-                       "Form to reach, id,x,y,z, or surface to come near, .obj or .ply (default: "
-                       "the nodes of NET)");
-    command.add_option("--target-unit", unit, "Of the coordinates of a surface")
+    command
+        .add_option("--target", target,
+                    "Target form, id,x,y,z, or target surface, .obj or .ply (default: the nodes of "
+                    "NET)")
+        ->group(heading::input);
+    command.add_option("--target-unit", unit, "Unit of a surface's coordinates")
         ->check(CLI::IsMember({"m", "mm", "cm", "ft", "us-ft", "in"}))
-        ->capture_default_str();
-    command.add_option("--weights", weights,
-                       "Of squared deviations along the target's normal and across it (default: "
-                       "normal:1,tangential:0.1)");
-    command.add_option("--node-weights", node_weights,
-                       "The same of single nodes in their place, a file id,normal,tangential");
+        ->capture_default_str()
+        ->group(heading::input);
+    command
+        .add_option("--weights", weights,
+                    "Weights of squared deviations along the target's normal and across it "
+                    "(default: normal:1,tangential:0.1)")
+        ->group(heading::input);
+    command
+        .add_option("--node-weights", node_weights,
+                    "Other weights of single nodes, a file id,normal,tangential")
+        ->group(heading::input);
     command
         .add_option("--objective", objective,
-                    "What is made small: the RMS of the deviations, or the largest")
+                    "What is minimised: the RMS of the deviations, or the largest")
         ->check(CLI::IsMember({"rms", "largest"}))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(heading::input);
 }
 
 FormTarget TargetOptions::read_places(const CableNet& net) const {
-    const DeviationWeights told = parse_weights(weights);
+    const DeviationWeights given = parse_weights(weights);
     const FormObjective sought = objective == "rms" ? FormObjective::rms : FormObjective::largest;
     if (is_surface_mesh_name(target)) {
-        return read_surface_target(net, *this, told, sought);
+        return read_surface_target(net, *this, given, sought);
     }
     if (unit != "m") {
         throw std::invalid_argument(
-            "--target-unit is told, but --target is no surface, .obj or .ply");
+            "--target-unit is for a surface, .obj or .ply, which --target is not");
     }
-    return {net, target.empty() ? net.nodes() : read_form(net, target), told, sought};
+    return {net, target.empty() ? net.nodes() : read_form(net, target), given, sought};
 }
 
 FormTarget TargetOptions::read(const CableNet& net) const {

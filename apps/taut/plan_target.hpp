@@ -9,7 +9,7 @@
 
 namespace taut::app {
 
-/// What a form is to come near, as it was told.
+/// The target form, as given.
 struct TargetOptions {
     std::string target;  ///< a form or a surface; empty: the nodes of the net
     std::string unit = "m";
@@ -19,7 +19,7 @@ struct TargetOptions {
 
     void add_to(CLI::App& command);
 
-    /// Says on standard error what of a surface is left out, and which nodes are beyond its border.
+    /// Warns of triangles of a surface that are not used, and of nodes outside its border.
     /// @throws InputError, std::invalid_argument
     [[nodiscard]] FormTarget read(const CableNet& net) const;
 

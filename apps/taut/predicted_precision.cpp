@@ -19,15 +19,16 @@ PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
                              const std::string& net_file, bool with_notes) {
     if (options.noise == estimated_noise) {
         throw std::invalid_argument(
-            "--noise estimate is for identify: before a survey nothing shows it");
+            "--noise estimate is for identify: before a survey there is nothing to estimate it "
+            "from");
     }
-    Survey survey = read_planned_survey(net, options.survey, options.reading());
-    tell_of_survey(options, survey, with_notes);
+    Survey survey = read_planned_survey(net, options.survey, options.read_options());
+    print_survey_notes(options, survey, with_notes);
     if (!nominal.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium was found: {}", net_file, equilibrium_text(nominal)));
     }
-    // As identify does: an exact survey is of an exact net.
+    // As identify does, which takes the net as exact where the survey is.
     const std::vector<UncertainParameter> parameters =
         survey.is_noisy() ? uncertain.assumed(net, net_file) : uncertain.given(net, net_file);
     PredictedPrecision lengths = with_survey_of(options.survey, [&] {
@@ -47,13 +48,13 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
                          {"ratio", e.std / lengths.prior_std},
                          {"status", to_string(e.status)}});
     }
-    nlohmann::ordered_json readings = nlohmann::ordered_json::array();
-    for (const TensionPrecision& reading : lengths.readings) {
-        readings.push_back({{"edge", reading.edge},
-                            {"id", net.edge_id(reading.edge)},
-                            {"tension", reading.tension},
-                            {"tension_std", reading.std},
-                            {"mean_tension_std", reading.mean_std_with_reading}});
+    nlohmann::ordered_json forces = nlohmann::ordered_json::array();
+    for (const TensionPrecision& force : lengths.readings) {
+        forces.push_back({{"edge", force.edge},
+                          {"id", net.edge_id(force.edge)},
+                          {"tension", force.tension},
+                          {"tension_std", force.std},
+                          {"mean_tension_std", force.mean_std_with_reading}});
     }
     return {{"file", file},
             {"used", precision.survey.surveyed.size()},
@@ -69,7 +70,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
             {"warnings", precision.survey.warnings},
             {"edges", edges},
             {"mean_tension", {{"mean", lengths.mean_tension}, {"std", lengths.mean_tension_std}}},
-            {"forces", readings}};
+            {"forces", forces}};
 }
 
 std::string precision_text(const CableNet& net, const PredictedSurvey& precision,
@@ -77,14 +78,15 @@ std::string precision_text(const CableNet& net, const PredictedSurvey& precision
     const PredictedPrecision& lengths = precision.lengths;
     std::string text = survey_text(net, options, precision.survey);
     text += fmt::format(
-        "what it can tell, lengths {}, to first order at the equilibrium:\n"
+        "predicted precision, prior {}, to first order at the equilibrium:\n"
         "  edges: {} determined, {} weakly determined, {} not determined, {} slack\n"
-        "  std of a length deviation: {:.3g} mm RMS over the interior edges, {:.3g} mm before\n"
+        "  std of a length deviation: {:.3g} mm RMS over the interior edges, {:.3g} mm by the "
+        "prior\n"
         "  {:<12}{:>10}{:>12}  status\n",
         precision.prior.to_string(), lengths.count(EdgeStatus::determined),
         lengths.count(EdgeStatus::weakly_determined), lengths.count(EdgeStatus::not_determined),
         lengths.count(EdgeStatus::slack), 1e3 * lengths.rms_std(), 1e3 * lengths.prior_std,
-        "worst edges", "std [mm]", "of before");
+        "worst edges", "std [mm]", "of prior");
     std::vector<EdgePrecision> worst = lengths.edges;
     std::ranges::sort(worst, {}, [](const EdgePrecision& e) { return std::pair(-e.std, e.edge); });
     constexpr size_t shown = 8;
@@ -95,16 +97,16 @@ std::string precision_text(const CableNet& net, const PredictedSurvey& precision
     }
     text += fmt::format(
         "  mean tension: std {:.3g} % of its {:.4g} kN\n"
-        "  with one reading of 2 % more, at one of the edges that tell most:\n"
+        "  with one more force measurement of 2 %, at the edges where it helps most:\n"
         "  {:<12}{:>14}{:>20}\n",
         100.0 * lengths.mean_tension_std / lengths.mean_tension, 1e-3 * lengths.mean_tension,
         "edge", "tension [kN]", "std of the mean [%]");
     constexpr size_t best = 5;
     for (size_t i = 0; i < std::min(best, lengths.readings.size()); ++i) {
-        const TensionPrecision& reading = lengths.readings[i];
-        text += fmt::format("  {:<12}{:>14.4g}{:>20.3g}\n", net.edge_id(reading.edge),
-                            1e-3 * reading.tension,
-                            100.0 * reading.mean_std_with_reading / lengths.mean_tension);
+        const TensionPrecision& force = lengths.readings[i];
+        text += fmt::format("  {:<12}{:>14.4g}{:>20.3g}\n", net.edge_id(force.edge),
+                            1e-3 * force.tension,
+                            100.0 * force.mean_std_with_reading / lengths.mean_tension);
     }
     return text;
 }

@@ -13,17 +13,18 @@
 
 namespace taut::app {
 
-/// A survey that is planned, and what it can tell.
+/// A planned survey and its predicted precision.
 struct PredictedSurvey {
     Survey survey;
     LengthPrior prior;
     PredictedPrecision lengths;
 };
 
-/// @param options SURVEY is a survey, or names of nodes alone
+/// @param options with a survey, or a file that only names nodes
 /// @param net_file for messages
-/// @param with_notes whether to tell on standard error how the survey's file was understood
-/// @throws InputError as read_survey(), and where nodes are hidden and no noise is told
+/// @param with_notes as of print_survey_notes()
+/// @throws InputError as read_survey(), and where nodes are hidden and no standard deviation is
+/// given
 /// @throws NumericalFailure where there is no equilibrium to linearise at
 PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
                              const SurveyOptions& options, const LengthPrior& prior,

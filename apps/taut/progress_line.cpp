@@ -12,7 +12,7 @@ ProgressLine::ProgressLine(bool quiet) : m_active(!quiet && is_watched()) {}
 
 ProgressLine::~ProgressLine() {
     if (m_shown) {
-        tell_in_place("");
+        print_in_place("");
     }
 }
 
@@ -41,7 +41,7 @@ void ProgressLine::show(std::string_view stage, int done, int total) {
         const double rate = (done - m_first) / seconds;
         line += fmt::format(", {:.4g} a second, {:.0f} s left", rate, (total - done) / rate);
     }
-    tell_in_place(line);
+    print_in_place(line);
     m_shown = true;
 }
 

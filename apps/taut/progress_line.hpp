@@ -10,8 +10,8 @@
 
 namespace taut::app {
 
-/// A line on a terminal's standard error that tells how far a stage of the work is, how fast it
-/// goes and how long it still takes. Silent where standard error is no terminal.
+/// A line on a terminal that shows how far a stage of the work is, its rate and the time left.
+/// Silent where standard error is not a terminal.
 class ProgressLine {
 public:
     explicit ProgressLine(bool quiet);
@@ -21,8 +21,8 @@ public:
     ProgressLine(ProgressLine&&) = delete;
     ProgressLine& operator=(ProgressLine&&) = delete;
 
-    /// Shows what it is told on this line, and requests a stop after a signal. It must not outlive
-    /// the line.
+    /// Shows progress on this line, and requests a stop after a signal. It must not outlive the
+    /// line.
     [[nodiscard]] Progress progress();
 
 private:
@@ -33,7 +33,7 @@ private:
     bool m_active;
     bool m_shown = false;
     std::string m_stage;
-    int m_first = 0;  ///< done when the stage began: nothing of it counts for the rate
+    int m_first = 0;  ///< steps done when the stage began; they do not count for the rate
     Clock::time_point m_start;
     Clock::time_point m_last;
 };

@@ -23,7 +23,7 @@ void run(const ReportOptions& options) {
     check_outputs({options.output}, {options.result, draws_path(options.result).string()});
     const ResultFile result = read_result(options.result);
     if (!has_report_viewer()) {
-        throw std::invalid_argument("this taut was built without Node.js and makes no reports");
+        throw std::invalid_argument("this taut was built without Node.js and cannot make reports");
     }
     write_file(options.output, report_html(result));
     if (options.json) {
@@ -38,8 +38,10 @@ void run(const ReportOptions& options) {
 void add_report(CLI::App& program) {
     auto options = std::make_shared<ReportOptions>();
     CLI::App& command =
-        add_command(program, "report", "Make the report of a saved result: one HTML file",
-                    "  taut report study/results.json -o report.html", *options);
+        add_command(program, "report", "Write the report of a result: one HTML file",
+                    "  taut report result.json -o report.html\n"
+                    "  taut report plan.json -o plan.html",
+                    *options);
     command
         .add_option("RESULT", options->result,
                     "Result of reproduce, identify, compare, plan or control")

@@ -41,8 +41,8 @@ NetFile net_of(const ReproduceOptions& options) {
                                : read_net(options.net);
 }
 
-/// Refuses what check_output_directory() does, and a directory where a data set and a model would
-/// stay behind that are not of the new study.
+/// Refuses what check_output_directory() does, and a directory that would keep the data set and
+/// model of an earlier study.
 void check_directory(const ReproduceOptions& options) {
     const std::filesystem::path directory(options.directory);
     check_output_directory(directory,
@@ -52,7 +52,7 @@ void check_directory(const ReproduceOptions& options) {
     for (const char* name : {"data.h5", "model.h5"}) {
         if (!options.keep && std::filesystem::exists(directory / name)) {
             throw InputError((directory / name).string(), "",
-                             "is of an earlier study; replace it with --keep, or name another "
+                             "belongs to an earlier study; replace it with --keep, or name another "
                              "directory");
         }
     }
@@ -90,9 +90,7 @@ void run(const ReproduceOptions& given) {
     }
     say("{}\n{}\n", counts_text(file.net), paper_table(study));
     say("written to {}: results.json, CSV files{}\nreport: {}\n", options.directory,
-        options.keep ? ", data.h5, model.h5" : "",
-        has_report_viewer() ? (directory / "report.html").string()
-                            : "left out, this taut was built without Node.js");
+        options.keep ? ", data.h5, model.h5" : "", report_text(directory));
 }
 
 }  // namespace
@@ -101,20 +99,20 @@ void add_reproduce(CLI::App& program) {
     auto options = std::make_shared<ReproduceOptions>();
     CLI::App& command = add_command(
         program, "reproduce", "Run the paper's numerical experiment (its section 5) on a net",
-        "  taut reproduce -o study\n  taut reproduce -o study --net net.json --law uniform:2mm",
+        "  taut reproduce -o study\n  taut reproduce -o study --net net.json --prior uniform:2mm",
         *options);
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
     command.add_option("--net", options->net, "Net file (default: the built-in hilo-quarter)");
-    command.add_option("--samples", options->study.samples, "Samples in all")
+    command.add_option("--samples", options->study.samples, "Number of samples")
         ->capture_default_str();
     command
         .add_option("--validation", options->study.validation,
-                    "Samples kept from training, to validate on")
+                    "Number of samples kept from training, to validate on")
         ->capture_default_str();
     command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str();
     add_seed_option(command, options->study.seed);
-    command.add_flag("--keep", options->keep, "Write the data set and the model too");
+    command.add_flag("--keep", options->keep, "Write the data set and the model as well");
     set_action(command, options, run);
 }
 

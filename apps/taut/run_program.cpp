@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <new>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "command.hpp"
 #include "run_record.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
@@ -24,8 +27,29 @@
 namespace taut::app {
 namespace {
 
-/// Options of version 0.2 under their names of today: docs/compatibility.md.
-/// @returns the arguments, each renamed one after a warning
+/// Shows the options of a command under headings in a fixed order: CLI11 has them in the order in
+/// which each heading is first used.
+class GroupedHelp : public CLI::Formatter {
+public:
+    std::string make_help(const CLI::App* app, std::string name,
+                          CLI::AppFormatMode mode) const override {
+        std::string text =
+            make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
+        for (const std::string group : {"Options", heading::input, heading::known, heading::limits,
+                                        heading::output, heading::advanced}) {
+            const auto options = app->get_options([&](const CLI::Option* option) {
+                return option->get_group() == group && option->nonpositional();
+            });
+            if (!options.empty()) {
+                text += make_group(group, false, options);
+            }
+        }
+        return text + make_subcommands(app, mode) + '\n' + make_footer(app);
+    }
+};
+
+/// Options of version 0.2 under their present names: docs/compatibility.md.
+/// @return the arguments, with one warning for each old name
 std::vector<std::string> with_new_names(int argc, char** argv) {
     struct Renamed {
         std::string_view before, now;
@@ -35,6 +59,7 @@ std::vector<std::string> with_new_names(int argc, char** argv) {
                                               {"--further", "--suggest-adjustable"},
                                               {"--survey-first", "--suggest-targets"}}};
     std::vector<std::string> words;
+    std::set<std::string_view> warned;
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         const std::string_view name = word.substr(0, word.find('='));
@@ -43,9 +68,11 @@ std::vector<std::string> with_new_names(int argc, char** argv) {
             words.emplace_back(word);
             continue;
         }
-        const bool was_all = found->before == "--unknown";  // all else was exact then
-        tell("warning", fmt::format("{} is now {}{}", found->before,
-                                    was_all ? "--uncertain none " : "", found->now));
+        const bool was_all = found->before == "--unknown";  // everything else was exact then
+        if (warned.insert(found->before).second) {
+            print_message("warning", fmt::format("{} is now {}{}", found->before,
+                                                 was_all ? "--uncertain none " : "", found->now));
+        }
         if (was_all) {
             words.emplace_back("--uncertain=none");
         }
@@ -56,21 +83,33 @@ std::vector<std::string> with_new_names(int argc, char** argv) {
 
 int run(const Program& program, int argc, char** argv) {
     CLI::App parser{
-        "How long each cable of a tensioned net really is, from one survey of its form."};
+        "Estimates the unstressed length of each cable of a tensioned net from one survey of its "
+        "form.",
+        program.name};
+    parser.formatter(std::make_shared<GroupedHelp>());
     parser.set_version_flag("--version", program.name + " " + std::string{version()});
     parser.require_subcommand(1);
     parser.footer(program.name + " COMMAND --help shows a command's options and an example.");
     for (const auto& add_command : program.commands) {
         add_command(parser);
     }
-    const auto commands = parser.get_subcommands([](const CLI::App*) { return true; });
+    for (CLI::App* command : parser.get_subcommands({})) {
+        command->group("Commands");
+    }
+    for (const auto& add_command : program.further_commands) {
+        add_command(parser);
+    }
+    const auto commands = parser.get_subcommands({});
+    for (size_t k = program.commands.size(); k < commands.size(); ++k) {
+        commands[k]->group("Further commands");
+    }
     if (argc > 1 && argv[1][0] != '-' &&
         std::ranges::find(commands, argv[1], &CLI::App::get_name) == commands.end()) {
-        return program.end(wrong_input, fmt::format("'{}' is no command; {} --help lists them",
+        return program.end(wrong_input, fmt::format("'{}' is not a command; {} --help lists them",
                                                     argv[1], program.name));
     }
     for (int i = 1; i < argc; ++i) {
-        // An option without a value would be taken for one that was not given.
+        // CLI11 takes an option with an empty value for one that was not given.
         const std::string_view word = argv[i];
         if (word.empty() || (word.starts_with("--") && word.find('=') == word.size() - 1)) {
             return program.end(wrong_input, fmt::format("argument {} is empty: '{}'", i, word));
@@ -108,7 +147,7 @@ int run_program(const Program& program, int argc, char** argv) noexcept {
         remember_command_line(argc, argv);
         return run(program, argc, argv);
     } catch (const Interrupted&) {
-        return fail(interrupted, "interrupted, nothing was written");
+        return fail(interrupted, "interrupted; nothing was written");
     } catch (const SampleInterrupted& interruption) {
         return fail(interrupted, interruption.what());
     } catch (const InputError& error) {
@@ -124,11 +163,10 @@ int run_program(const Program& program, int argc, char** argv) noexcept {
     } catch (const std::runtime_error& error) {
         return fail(numerical_failure, error.what());
     } catch (const std::exception&) {
-        // taut says in its own words what is wrong. All else comes of a fault in it, and names
-        // nothing that its user knows.
+        // Whatever taut throws on purpose is caught above. The words of any other exception name
+        // nothing that the user knows.
         return fail(numerical_failure,
-                    "a fault of the program itself ended this command, which is to be "
-                    "reported with its files: " +
+                    "internal error. Please report it with the files of this command: " +
                         run_record().command);
     }
 }

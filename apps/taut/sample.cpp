@@ -28,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A killed run loses no more than the longest, and no more than about half of what it did.
+/// A killed run loses at most the longest interval, and at most about half of its samples.
 constexpr std::chrono::seconds first_checkpoint_interval{1};
 constexpr std::chrono::seconds longest_checkpoint_interval{30};
 
@@ -57,17 +57,17 @@ std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataS
         const auto require = [&](bool same, std::string_view what, const std::string& has,
                                  const std::string& asked) {
             if (!same) {
-                throw InputError(file, "",
-                                 fmt::format("was made with the {} {}, expected {} to resume", what,
-                                             has, asked));
+                throw InputError(
+                    file, "",
+                    fmt::format("was made with {} {}, expected {} to resume", what, has, asked));
             }
         };
         require(data.net_fingerprint == wanted.net_fingerprint, "net", data.net_fingerprint,
                 wanted.net_fingerprint);
         require(data.prior == wanted.prior, "prior", data.prior.to_string(),
                 wanted.prior.to_string());
-        require(data.uncertain == wanted.uncertain, "uncertain", to_string(data.uncertain),
-                to_string(wanted.uncertain));
+        require(data.uncertain == wanted.uncertain, "uncertain parameters",
+                to_string(data.uncertain), to_string(wanted.uncertain));
         require(data.seed == wanted.seed, "seed", std::to_string(data.seed),
                 std::to_string(wanted.seed));
         if (data.size() > options.count) {
@@ -103,7 +103,7 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
             try {
                 keep();
             } catch (const OutputError& error) {
-                throw TeammateFailed(fmt::format("{}; nor is what was finished kept: {}",
+                throw TeammateFailed(fmt::format("{}; the finished samples could not be kept: {}",
                                                  failure.what(), error.what()));
             }
         }
@@ -114,14 +114,14 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
         }
         keep();
         throw SampleInterrupted(
-            fmt::format("interrupted: {} of {} samples are kept in {}; the same command with "
-                        "--resume goes on from there",
+            fmt::format("interrupted: {} of {} samples are kept in {}; continue with the same "
+                        "command and --resume",
                         data.size(), options.count, options.partial()));
     }
 }
 
-void tell_outcome(const SampleOptions& options, const CableNet& net, const DataSet& data,
-                  int resumed_from, const std::vector<std::string>& warnings) {
+void print_outcome(const SampleOptions& options, const CableNet& net, const DataSet& data,
+                   int resumed_from, const std::vector<std::string>& warnings) {
     if (options.json) {
         nlohmann::ordered_json uncertain = nlohmann::ordered_json::array();
         for (const UncertainParameter& parameter : data.uncertain) {
@@ -145,10 +145,10 @@ void tell_outcome(const SampleOptions& options, const CableNet& net, const DataS
     say("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n", counts_text(net),
         data.size(), data.prior.to_string(), data.seed, data.with_slack(), data.not_converged());
     if (!data.uncertain.empty()) {
-        say("drawn besides the lengths: {}\n", to_string(data.uncertain));
+        say("sampled besides the lengths: {}\n", to_string(data.uncertain));
     }
     if (resumed_from > 0) {
-        say("the first {} were there already\n", resumed_from);
+        say("resumed from {} earlier samples\n", resumed_from);
     }
     say("written to {}\n", options.output);
 }
@@ -172,7 +172,7 @@ void run(const SampleOptions& options) {
     if (!options.resume && std::filesystem::exists(options.partial())) {
         throw InputError(
             options.partial(), "",
-            "holds the samples of an interrupted run; go on with --resume, or delete it");
+            "holds the samples of an interrupted run; continue with --resume, or delete it");
     }
     const int resumed_from = data.size();
     check_outputs({options.output}, {options.net});
@@ -181,12 +181,12 @@ void run(const SampleOptions& options) {
     warn(options.net, warnings);
     draw(options, net, sampler, data);
     write_data_set(options.output, data, net);
-    // What it holds stands in the output.
+    // The output now holds its samples.
     std::error_code error;
     if (std::filesystem::remove(options.partial(), error); error) {
         warn(options.partial(), {"is no longer needed, but cannot be removed: " + error.message()});
     }
-    tell_outcome(options, net.net, data, resumed_from, warnings);
+    print_outcome(options, net.net, data, resumed_from, warnings);
 }
 
 }  // namespace
@@ -194,10 +194,10 @@ void run(const SampleOptions& options) {
 void add_sample(CLI::App& program) {
     auto options = std::make_shared<SampleOptions>();
     CLI::App& command = add_command(
-        program, "sample", "Draw random lengths and solve for the forms that follow (Algorithm 2)",
-        "  taut sample net.json -n 1000 --law uniform:5mm -o data.h5\n"
-        "\nAn interrupted run keeps what it has in data.h5.partial; the same command with --resume "
-        "goes on\nfrom there, or from a smaller data.h5, and gives the same bytes as one run.",
+        program, "sample", "Sample random lengths and compute their forms (Algorithm 2)",
+        "  taut sample net.json -n 1000 --prior uniform:5mm -o data.h5\n"
+        "\nAn interrupted run keeps its samples in data.h5.partial. The same command with --resume "
+        "continues\nfrom there, or from a smaller data.h5, and writes the same bytes as one run.",
         *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-n,--samples", options->count, "Number of samples")
@@ -206,13 +206,13 @@ void add_sample(CLI::App& program) {
     command
         .add_option(
             "--prior", options->prior,
-            "Prior of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
-            "bimodal:5mm (around +-5 mm)")
+            "Prior of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (standard "
+            "deviation), bimodal:5mm (near +-5 mm)")
         ->capture_default_str();
     add_uncertain_option(command, options->uncertain);
     add_seed_option(command, options->seed);
     add_output_option(command, options->output, "Data set to write (HDF5)");
-    command.add_flag("--resume", options->resume, "Go on with an earlier data set");
+    command.add_flag("--resume", options->resume, "Continue an earlier data set");
     set_action(command, options, run);
 }
 

@@ -51,9 +51,9 @@ Eigen::Vector3d parse_place(const std::string& text) {
     return place;
 }
 
-/// What instruments at the stations would read.
-void simulate_readings(const SurveySimulationOptions& options, const CableNet& net,
-                       const Points& form) {
+/// The observations that instruments at the stations would make.
+void simulate_observations(const SurveySimulationOptions& options, const CableNet& net,
+                           const Points& form) {
     PolarSimulation simulation{.dropped_part = options.simulation.dropped_part,
                                .shuffled = options.simulation.shuffled,
                                .seed = options.simulation.seed};
@@ -87,11 +87,11 @@ void simulate_readings(const SurveySimulationOptions& options, const CableNet& n
                              {"output", options.output}}));
         return;
     }
-    say("{}\n{} of {} free nodes and {} supports read from {} station{}{}; angles {:.3g} "
+    say("{}\n{} of {} free nodes and {} supports observed from {} station{}{}; angles {:.3g} "
         "mgon, distances {:.3g} mm + {:.3g} ppm\nwritten to {}\n",
         counts_text(net), free_points, net.free_node_count(), net.supports().size(),
         survey.stations.size(), survey.stations.size() == 1 ? "" : "s",
-        simulation.shuffled ? ", under names of their own and in any order" : "", angle,
+        simulation.shuffled ? ", under arbitrary names and in any order" : "", angle,
         1e3 * distance.std, 1e6 * distance.part, options.output);
 }
 
@@ -125,7 +125,7 @@ void run(const SurveySimulationOptions& given) {
     const Points form = read_form(net, options.form);
     check_outputs({options.output}, {options.net, options.form});
     if (!options.stations.empty()) {
-        simulate_readings(options, net, form);
+        simulate_observations(options, net, form);
         return;
     }
     const std::vector<SurveyPoint> points = simulate_survey(net, form, simulation);
@@ -148,7 +148,8 @@ void run(const SurveySimulationOptions& given) {
                              {"output", options.output}}));
         return;
     }
-    say("{}\n{} of {} free nodes surveyed{}, and {} supports by their names; noise {:.4g} mm"
+    say("{}\n{} of {} free nodes surveyed{}, and {} supports with names; standard deviation "
+        "{:.4g} mm"
         "{}{}\nwritten to {}\n",
         counts_text(net), free_points, net.free_node_count(),
         simulation.shuffled ? ", without names and in any order" : "", net.supports().size(),
@@ -162,8 +163,8 @@ void run(const SurveySimulationOptions& given) {
 void add_survey(CLI::App& program) {
     auto options = std::make_shared<SurveySimulationOptions>();
     CLI::App& command = add_command(
-        program, "survey", "Simulate a survey of a form, for trials and teaching",
-        "  taut form net.json --law uniform:5mm --seed 7 -o built.csv\n"
+        program, "survey", "Simulate a survey of a form, for studies and teaching",
+        "  taut form net.json --prior uniform:5mm --seed 7 -o built.csv\n"
         "  taut survey net.json built.csv --noise 0.5mm --drop 10% --shuffle --frame random "
         "-o survey.csv\n"
         "  taut survey net.json built.csv --station 2,-3,1.6 --station 2,6,1.6 --angle 0.3mgon "
@@ -176,24 +177,25 @@ void add_survey(CLI::App& program) {
                            "Standard deviation of normal noise on every coordinate (default: 0)");
     CLI::Option* const offset = command.add_option(
         "--offset", options->offset,
-        "How far targets on free nodes stand off along the net's normal, up, and "
-        "the standard deviation of that: \"3mm:0.2mm\" (default: 0)");
-    command.add_option("--drop", options->drop, "Part of the free nodes that stays hidden")
+        "Offset of targets on free nodes along the net's normal (up), and its standard deviation: "
+        "\"3mm:0.2mm\" (default: 0)");
+    command.add_option("--drop", options->drop, "Part of the free nodes that is not surveyed")
         ->capture_default_str();
     command.add_flag("--shuffle", options->simulation.shuffled,
                      "Targets on free nodes without names, in any order");
     CLI::Option* const frame =
         command
             .add_option("--frame", options->frame,
-                        "net (the net's), or random (an instrument's own, far away)")
+                        "Coordinate system: net (that of the net), or random (an instrument's own, "
+                        "far away)")
             ->check(CLI::IsMember({"net", "random"}))
             ->capture_default_str();
     CLI::Option* const station =
         command
-            .add_option("--station", options->stations,
-                        "Place x,y,z [m] of an instrument in the net's frame, once for each: its "
-                        "readings of angles and distances are written in place of coordinates, "
-                        "each in a frame of its own")
+            .add_option(
+                "--station", options->stations,
+                "Place x,y,z [m] of an instrument in the net's coordinate system. Its angles "
+                "and distances are then written instead of coordinates. May be repeated")
             ->allow_extra_args(false)
             ->excludes(noise)
             ->excludes(offset)

@@ -15,7 +15,7 @@
 
 namespace taut::app {
 
-/// --noise, --frame, --control and what is told of the survey's file, as they were told.
+/// The options of add_survey_options(), as given.
 struct SurveyOptions {
     std::string survey;
     std::string frame = "auto";
@@ -31,21 +31,21 @@ struct SurveyOptions {
     std::string angle;
     std::string range;
     std::string offset;
-    std::string offsets;  ///< table of them
-    std::string names;    ///< table to write of points and their nodes
+    std::string offsets;  ///< file of a table
+    std::string names;    ///< file to write: points and their nodes
 
     /// @throws std::invalid_argument as parse_noise(), parse_survey_columns(), parse_angle_std()
     /// and
     ///   parse_distance_precision()
-    [[nodiscard]] ReadSurveyOptions reading() const;
+    [[nodiscard]] ReadSurveyOptions read_options() const;
 };
 
 /// --noise, --frame, --control; --format, --unit, --columns, --separator, --decimal, --encoding;
-/// --match, --offset, --offsets, --names; --angle, --range.
+/// --match, --offset, --offsets, --names; --angle, --range. --noise is among the first of the help.
+/// @return all of them
 std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options);
 
-/// Does something with a survey; a rule of surveys that it breaks is told with the name of its
-/// file.
+/// Does something with a survey. A SurveyError becomes an InputError that names its file.
 template <class Action>
 auto with_survey_of(const std::string& file, const Action& action) {
     try {
@@ -55,21 +55,22 @@ auto with_survey_of(const std::string& file, const Action& action) {
     }
 }
 
-/// Warnings, and with JSON on standard output how the file was understood, on standard error.
-void tell_of_survey(const SurveyOptions& options, const Survey& survey, bool with_notes);
+/// Prints the survey's warnings on standard error, and its notes on how the file was understood.
+/// @param with_notes where JSON takes standard output, on which survey_text() has them
+void print_survey_notes(const SurveyOptions& options, const Survey& survey, bool with_notes);
 
-/// What was read: how the file was understood, targets, frame with its residuals, points on no
-/// node.
+/// What was read: targets, how the file was understood, coordinate system with its residuals,
+/// points at no node.
 std::string survey_text(const CableNet& net, const SurveyOptions& options, const Survey& survey);
 
-/// Of --noise: its scale is to be found from the survey.
+/// Value of --noise: estimate its scale from the survey.
 inline constexpr std::string_view estimated_noise = "estimate";
 
-/// A length of at least 0, of an option; empty is 0 [m].
+/// A length of at least 0 as --noise gives it; empty is 0 [m].
 /// @throws std::invalid_argument
 double parse_noise(const std::string& text);
 
-/// A standard deviation above 0, of --angle.
+/// A standard deviation above 0 as --angle gives it.
 /// @throws std::invalid_argument
 AngleText parse_angle_std(const std::string& text);
 

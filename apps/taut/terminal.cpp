@@ -38,7 +38,7 @@ bool standard_output_works() {
     return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
-void tell(std::string_view kind, std::string_view line) noexcept {
+void print_message(std::string_view kind, std::string_view line) noexcept {
     if (silent) {
         return;
     }
@@ -57,7 +57,7 @@ void tell(std::string_view kind, std::string_view line) noexcept {
     }
 }
 
-void tell_in_place(std::string_view line) noexcept {
+void print_in_place(std::string_view line) noexcept {
     static_cast<void>(std::fputs("\r\033[K", stderr));
     static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
     static_cast<void>(std::fflush(stderr));

@@ -31,16 +31,16 @@ void prepare_streams();
 /// Ends the program at once with a line and exit code 1, temporary files removed.
 [[noreturn]] void end_without_memory();
 
-/// From now on the calling thread tells why the program ends, and end_without_memory() nothing: of
-/// threads that come to no memory meanwhile, and of this one once it has told.
+/// From now on the calling thread prints why the program ends. end_without_memory() then prints
+/// nothing: neither in other threads that run out of memory meanwhile, nor in this one afterwards.
 void take_last_word() noexcept;
 
-/// From now on nothing is told and printed: another process does.
+/// From now on nothing is printed: another process does that.
 void be_silent();
 [[nodiscard]] bool is_silent();
 
-/// Writes to standard output, control characters as printable() has them. Whether that went well is
-/// told by standard_output_works().
+/// Writes to standard output, control characters as printable() has them. standard_output_works()
+/// gives whether that succeeded.
 void print(std::string_view text);
 
 template <class... Values>
@@ -48,35 +48,37 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
     print(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Flushes standard output. @return false where anything could not be written
+/// Flushes standard output.
+/// @return false where anything could not be written
 [[nodiscard]] bool standard_output_works();
 
-/// The line "taut: error: ..." on standard error; nothing where that is closed or full.
+/// Prints the line "taut: error: ..." on standard error; nothing where that is closed or full.
 /// @param kind "error", "warning", "note"
-void tell(std::string_view kind, std::string_view line) noexcept;
+void print_message(std::string_view kind, std::string_view line) noexcept;
 
-/// Whether standard error is shown to somebody.
+/// Whether standard error is a terminal, and this process prints.
 [[nodiscard]] bool is_watched();
 
-/// Takes the place of the line that standard error shows last.
-void tell_in_place(std::string_view line) noexcept;
+/// Replaces the last line of standard error.
+void print_in_place(std::string_view line) noexcept;
 
-/// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code
-/// 130; its outputs appear in one piece or not at all, so nothing is left half done. A command that
-/// asks for stop_request() is told by it, and ended at once by a second signal.
+/// What SIGINT, SIGTERM and SIGHUP do. By default they end a command at once with exit code 130;
+/// its outputs appear in one piece or not at all, so nothing is left half done. A command that
+/// polls stop_request() can end in its own way, and a second signal ends it at once.
 class Interruption {
 public:
     /// Call once. Signals that are ignored stay so.
     static void watch();
 
-    /// Whether a signal requested a stop of a command that asked for stop_request().
+    /// Whether a signal requested a stop of a command that called stop_request().
     [[nodiscard]] static bool is_requested();
 
-    /// From now on the first signal does no more than to request a stop: whether it came.
+    /// From now on the first signal only requests a stop.
+    /// @return a function that gives whether it came
     [[nodiscard]] static std::function<bool()> stop_request();
 };
 
-/// Sampling was interrupted and what is done was kept: the message tells where.
+/// Sampling was interrupted and its samples were kept: the message names the file.
 class SampleInterrupted : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -22,17 +22,17 @@
 namespace taut::app {
 namespace {
 
-/// The thread that ends the program, and whether the line that tells why is another's to write.
+/// The thread that ends the program, and whether take_last_word() claimed the line that says why.
 std::atomic<std::thread::id> ending{};
 std::atomic<bool> last_word_is_taken{false};
-constexpr int long_enough = 1000;  ///< for the other thread [ms]
+constexpr int long_enough = 1000;  ///< wait for the other thread [ms]
 
 std::atomic<bool> orderly{false};
 std::atomic<bool> requested{false};
 std::array<int, 2> arrived{};  ///< a pipe: what the handler writes, the thread reads
 
-/// Runs in whichever thread the signal meets, where next to nothing is allowed. To block the signal
-/// in all threads but one is no way out: a library may have started its own before main().
+/// Runs in whichever thread receives the signal, where next to nothing is allowed. Blocking the
+/// signal in all threads but one would not help: a library may start its own before main().
 void hand_over(int /*signal*/) {
     [[maybe_unused]] const auto written = ::write(arrived[1], "", 1);
 }
@@ -59,8 +59,8 @@ private:
     size_t m_size = 0;
 };
 
-/// Of an exception that cannot be thrown on: where memory is short, what frees it may ask for more,
-/// destructors of libraries do, which must not throw.
+/// Handles an exception that cannot propagate. Where memory is short, destructors of libraries may
+/// ask for more, and must not throw.
 [[noreturn]] void end_unexpectedly() {
     try {
         if (const std::exception_ptr thrown = std::current_exception()) {
@@ -69,13 +69,13 @@ private:
     } catch (const std::bad_alloc&) {
         end_without_memory();
     } catch (const std::exception& error) {
-        tell("error", fmt::format("internal error: {}", error.what()));
+        print_message("error", fmt::format("internal error: {}", error.what()));
         end_at_once("", numerical_failure);
     }
     end_at_once("taut: error: internal error\n", numerical_failure);
 }
 
-/// What arrives through the pipe, for as long as the program runs.
+/// Handles what arrives through the pipe, for as long as the program runs.
 [[noreturn]] void hand_on_signals() {
     while (true) {
         char byte = 0;
@@ -90,8 +90,8 @@ private:
 void prepare_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(stream, F_GETFD) == -1) {
-            // The lowest number that is free, which is this one. Not to be written to: whether a
-            // command could print is told.
+            // open() gives the lowest free number, which is this one. Read-only, so that printing
+            // fails and standard_output_works() shows it.
             [[maybe_unused]] const int opened = open("/dev/null", O_RDONLY);
         }
     }
@@ -103,7 +103,7 @@ void take_last_word() noexcept {
     std::thread::id first{};
     if (!ending.compare_exchange_strong(first, std::this_thread::get_id()) &&
         first != std::this_thread::get_id()) {
-        poll(nullptr, 0, long_enough);  // the other's line is told, and this thread ends with it
+        poll(nullptr, 0, long_enough);  // the other prints its line, and ends this thread
     }
     last_word_is_taken = true;
 }
@@ -112,14 +112,14 @@ void end_without_memory() {
     const NoMemoryLine line;
     std::thread::id first{};
     if (!ending.compare_exchange_strong(first, std::this_thread::get_id())) {
-        if (first == std::this_thread::get_id()) {  // what ends in order asks for memory, too
+        if (first == std::this_thread::get_id()) {  // an orderly end asks for memory, too
             if (!last_word_is_taken) {
                 [[maybe_unused]] const auto written =
                     ::write(STDERR_FILENO, line.view().data(), line.view().size());
             }
             _exit(numerical_failure);
         }
-        // Another thread ends the program. Unless it waits for what this one holds: then this does.
+        // Another thread ends the program, unless it waits for something this one holds.
         poll(nullptr, 0, long_enough);
     }
     end_at_once(last_word_is_taken ? "" : line.view(), numerical_failure);
@@ -141,7 +141,7 @@ void Interruption::watch() {
     try {
         std::thread(hand_on_signals).detach();
     } catch (const std::system_error&) {
-        return;  // no thread is to be had: likewise
+        return;  // likewise
     }
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action{};

@@ -66,7 +66,7 @@ TrainingSettings TrainOptions::settings() const {
     return settings;
 }
 
-/// Edges whose process could not be fitted.
+/// Edges whose Gaussian process could not be fitted.
 std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
     std::vector<int> edges;
     for (size_t i = 0; i < model.processes.processes.size(); ++i) {
@@ -77,7 +77,7 @@ std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
     return edges;
 }
 
-/// How much the kernel makes of each direction.
+/// The weights that the kernel gives to the inputs.
 void print_scales(const LengthModel& model) {
     if (model.metric == KernelMetric::direction) {
         say("scales of the kernel: x {:.3g}, y {:.3g}, z {:.3g}\n", model.input_scales(0),
@@ -111,7 +111,7 @@ void run(const TrainOptions& options) {
     if (samples.size() < 2) {
         throw InputError(
             options.data, "",
-            fmt::format("holds {} samples in equilibrium, expected at least 2", samples.size()));
+            fmt::format("has {} samples in equilibrium, expected at least 2", samples.size()));
     }
     require_memory(training_memory(stored.net.net, static_cast<double>(samples.size())),
                    fmt::format("{} samples", samples.size()));
@@ -168,7 +168,7 @@ void run(const TrainOptions& options) {
     say("leave-one-out error of the length deviations: {:.3g} mm RMS\n", 1e3 * leave_one_out);
     if (rank) {
         say("by low rank, {} of {} directions: {:.2g} % of the correlation is left out,\n"
-            "  means at the samples are off from the exact ones of these hyperparameters\n"
+            "  means at the samples deviate from the exact ones of these hyperparameters\n"
             "  by at most {:.2g} mm RMS\n",
             *rank, samples.size(), 100.0 * model.processes.left_out(), 1e3 * approximation);
     }
@@ -179,25 +179,25 @@ void run(const TrainOptions& options) {
 
 void add_train(CLI::App& program) {
     auto options = std::make_shared<TrainOptions>();
-    CLI::App& command = add_command(
-        program, "train", "Train one Gaussian process an interior edge on a data set (Algorithm 1)",
-        "  taut train data.h5 -o model.h5", *options);
+    CLI::App& command =
+        add_command(program, "train",
+                    "Train one Gaussian process per interior edge on a data set (Algorithm 1)",
+                    "  taut train data.h5 -o model.h5", *options);
     command.add_option("DATA", options->data, "Data set of taut sample")->required();
     add_output_option(command, options->output, "Model to write (HDF5)");
     CLI::Option* paper = command.add_flag(
         "--as-in-paper", options->as_in_paper,
-        "The paper's settings: zero mean, isotropic kernel, surveys taken for exact");
+        "The paper's settings: zero mean, isotropic kernel, surveys taken as exact");
     command
         .add_option("--mean", options->mean,
-                    "What is expected before anything is learnt: geometry (nominal strain in the "
-                    "edges as measured; default) or zero, with the isotropic kernel the same as "
-                    "--as-in-paper")
+                    "Mean function: geometry (nominal strain in the edges as measured; default) or "
+                    "zero (with the isotropic kernel the same as --as-in-paper)")
         ->check(CLI::IsMember(names(all_means)))
         ->excludes(paper);
     command
         .add_option("--kernel", options->kernel,
-                    "How forms are compared: isotropic (default), or with a scale for each "
-                    "direction, or for each node")
+                    "Metric of the kernel: isotropic (default), or with a scale for each direction "
+                    "or each node")
         ->check(CLI::IsMember(names(all_metrics)))
         ->excludes(paper);
     set_action(command, options, run);

@@ -35,11 +35,10 @@ std::error_code flush(const std::filesystem::path& path, int flags) {
 }
 
 #if defined(__linux__)
-/// The access control list of a file, or none, as that of another. A file system that knows no such
-/// lists gives none of either.
+/// Extended attribute that holds the access control list of a file.
 constexpr const char* access_list = "system.posix_acl_access";
 
-/// A new file takes over a list of its directory, which may let in more.
+/// A new file inherits a list from its directory, which may let in more.
 void remove_access_list(const char* file) {
     removexattr(file, access_list);
 }
@@ -139,7 +138,7 @@ std::error_code copy_access(const std::filesystem::path& from, const std::filesy
         return error;
     }
     if (stat(to.c_str(), &found) == 0 && (found.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO)) == mode) {
-        return {};  // some file systems have one mode for all, and refuse to set it
+        return {};  // some file systems have one mode for all files, and refuse to set it
     }
     return chmod(to.c_str(), mode) == 0 ? std::error_code() : last_error();
 }
@@ -147,7 +146,7 @@ std::error_code copy_access(const std::filesystem::path& from, const std::filesy
 #ifdef O_TMPFILE
 NamelessFile::NamelessFile(const std::filesystem::path& directory)
     : m_descriptor(open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666)) {
-    // Without /proc it could be given no name.
+    // give_name() needs /proc.
     if (valid() && access(path().c_str(), W_OK) != 0) {
         close(std::exchange(m_descriptor, -1));
     }

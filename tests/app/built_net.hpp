@@ -20,21 +20,20 @@ protected:
                   "-o", "built.csv", "--lengths", "truth.csv"});
     }
 
-    void survey(std::vector<std::string> options) const {
-        options.insert(options.begin(), {"survey", "net.json", "built.csv", "-o", "survey.csv"});
-        must_run(options);
+    void survey(const Words& options) const {
+        must_run(joined({"survey", "net.json", "built.csv", "-o", "survey.csv"}, options));
     }
 
-    /// The result of a survey, with what is told of it on standard error.
+    /// The result of a survey, and what is printed on standard error.
     struct Identified {
         nlohmann::json result;
         std::string err;
     };
 
     /// Whatever it finds, a report reads it.
-    Identified identify(const std::string& survey, std::vector<std::string> options = {}) const {
-        options.insert(options.begin(), {"identify", "net.json", survey, "--draws", "0", "--json"});
-        const Outcome outcome = run(options);
+    Identified identify(const std::string& survey, const Words& options = {}) const {
+        const Outcome outcome =
+            run(joined({"identify", "net.json", survey, "--draws", "0", "--json"}, options));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         write("identified.json", outcome.out);
         must_run({"report", "identified.json", "-o", "report.html"});

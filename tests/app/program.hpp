@@ -7,12 +7,21 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace taut::test {
+
+using Words = std::vector<std::string>;
+
+/// A command with more words.
+[[nodiscard]] Words joined(Words words, const Words& more);
+
+/// The first fields of a line of a CSV file.
+[[nodiscard]] std::string first_fields(const std::string& line, int count);
 
 /// What a run of the program gave.
 struct Outcome {
@@ -21,12 +30,12 @@ struct Outcome {
     std::string err;
 };
 
-/// The program at work. Its output goes to files, so that it is no terminal's.
+/// The program at work. Its output goes to files, not to a terminal.
 class RunningProgram {
 public:
     /// @param folder its working directory, @param records where to keep what it prints
     RunningProgram(const std::filesystem::path& folder, const std::filesystem::path& records,
-                   const std::vector<std::string>& arguments);
+                   const Words& arguments);
     /// Ends it, if it still works.
     ~RunningProgram();
     RunningProgram(const RunningProgram&) = delete;
@@ -54,14 +63,19 @@ protected:
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
 
     /// Runs the program to its end.
-    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+    [[nodiscard]] Outcome run(const Words& arguments) const;
     /// The same, which must succeed without a word on standard error. Gives standard output.
-    std::string must_run(const std::vector<std::string>& arguments) const;
+    std::string must_run(const Words& arguments) const;
     /// A run to be watched or interrupted.
-    [[nodiscard]] RunningProgram start(const std::vector<std::string>& arguments) const;
+    [[nodiscard]] RunningProgram start(const Words& arguments) const;
 
     [[nodiscard]] std::string read(const std::string& file) const;
     void write(const std::string& file, const std::string& content) const;
+    [[nodiscard]] Words lines(const std::string& file) const;
+    /// Writes a file's lines changed.
+    /// @param change gives a line from itself and its number, from 0
+    void edit(const std::string& file,
+              const std::function<std::string(const std::string&, int)>& change) const;
     [[nodiscard]] bool exists(const std::string& file) const;
     [[nodiscard]] Files files() const;
     /// True length deviations in truth.csv, as `form --lengths` wrote them [m].
@@ -76,9 +90,5 @@ private:
 /// One line on standard error that begins as every error does and holds the text; nothing on
 /// standard output.
 void expect_error(const Outcome& outcome, int exit_code, const std::string& text);
-
-/// Every key of `expected` is in `document`, down to the leaves, with a value of the same type.
-void expect_keys(const nlohmann::json& document, const nlohmann::json& expected,
-                 const std::string& where = "");
 
 }  // namespace taut::test

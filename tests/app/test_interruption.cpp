@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against hours of work lost to a signal, and against what a signal leaves half done: a file
-// that the next command takes for whole. No test waits for a moment: each run has far more to do
-// than it is given time for, and is tried with more time until the signal met it at work.
+// Guards against hours of work lost to a signal, and against half-written files that the next
+// command takes for whole. No test depends on timing: each run has far more to do than it is given
+// time for, and is tried with more time until the signal met it at work.
 
 #include <chrono>
 #include <csignal>
@@ -64,17 +64,18 @@ protected:
 
 class SampleOnSignal : public Interruption, public testing::WithParamInterface<int> {};
 
-TEST_P(SampleOnSignal, KeepsItsSamplesAndTellsWhere) {
+TEST_P(SampleOnSignal, KeepsItsSamplesAndGoesOnToTheSameBytes) {
+    must_run({"sample", "net.json", "-n", "5", "-o", "data.h5"});
+    const std::string before = read("data.h5");
     const Outcome outcome = interrupted_sample(GetParam());
     expect_error(outcome, 130, "data.h5.partial");
     EXPECT_THAT(outcome.err, testing::HasSubstr("--resume"));
     EXPECT_THAT(outcome.err, testing::HasSubstr(std::to_string(partial_size()) + " of " + endless));
-    EXPECT_EQ(files().size(), 2U) << "the net and the samples kept";
-}
-
-TEST_P(SampleOnSignal, GoesOnToTheSameBytes) {
-    interrupted_sample(GetParam());
-    EXPECT_FALSE(exists("data.h5"));
+    EXPECT_EQ(files().size(), 3U) << "the net, the earlier data set and the samples kept";
+    EXPECT_EQ(read("data.h5"), before);
+    if (GetParam() == SIGINT) {
+        interrupted_sample(SIGINT, "--resume");
+    }
     expect_resumes_to_the_same_bytes();
 }
 
@@ -84,19 +85,6 @@ INSTANTIATE_TEST_SUITE_P(Signals, SampleOnSignal, testing::Values(SIGINT, SIGTER
                                     : signal.param == SIGTERM ? "terminate"
                                                               : "hang_up";
                          });
-
-TEST_F(Interruption, TwiceGoesOnToTheSameBytes) {
-    interrupted_sample(SIGINT);
-    interrupted_sample(SIGINT, "--resume");
-    expect_resumes_to_the_same_bytes();
-}
-
-TEST_F(Interruption, OfSamplingLeavesTheEarlierDataSetAsItWas) {
-    must_run({"sample", "net.json", "-n", "5", "-o", "data.h5"});
-    const std::string before = read("data.h5");
-    expect_error(interrupted_sample(SIGINT), 130, "interrupted");
-    EXPECT_EQ(read("data.h5"), before);
-}
 
 TEST_F(Interruption, ByAKillLeavesTheEarlierDataSetAsItWas) {
     must_run({"sample", "net.json", "-n", "5", "-o", "data.h5"});
@@ -111,39 +99,21 @@ TEST_F(Interruption, ByAKillLeavesTheEarlierDataSetAsItWas) {
     EXPECT_EQ(read("data.h5"), read("straight.h5"));
 }
 
-TEST_F(Interruption, OfReproduceWritesNothing) {
+TEST_F(Interruption, OfACommandThatKeepsNothingWritesNothingAndIsOneLine) {
     must_run({"reproduce", "--net", "net.json", "--samples", "20", "--validation", "4", "-o",
               "study", "--keep"});
     const Files before = files();
-    const auto told = [](const Outcome& outcome) { return !outcome.err.empty(); };
-    for (const std::string directory : {"study", "new"}) {
-        expect_error(signalled(SIGINT,
-                               {"reproduce", "--net", "net.json", "--samples", "1000000", "-o",
-                                directory, "--keep"},
-                               told, milliseconds(200)),
-                     130, "interrupted");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"reproduce", "--net", "net.json", "--samples", "1000000", "-o",
+                                   "study", "--keep"},
+          {"compare", "net.json", "-o", "new", "--training", "20", "--surveys", "100000"},
+          {"example", "hypar:300x300", "-o", "large.json"}}) {
+        const auto at_work = [](const Outcome& outcome) { return !outcome.err.empty(); };
+        expect_error(
+            signalled(SIGINT, words, at_work, milliseconds(words.front() == "example" ? 5 : 200)),
+            130, "interrupted");
         EXPECT_EQ(files(), before);
     }
-}
-
-TEST_F(Interruption, OfCompareWritesNothing) {
-    const Files before = files();
-    const auto told = [](const Outcome& outcome) { return !outcome.err.empty(); };
-    expect_error(
-        signalled(SIGINT,
-                  {"compare", "net.json", "-o", "new", "--training", "20", "--surveys", "100000"},
-                  told, milliseconds(200)),
-        130, "interrupted");
-    EXPECT_EQ(files(), before);
-}
-
-TEST_F(Interruption, OfACommandThatKeepsNothingIsToldInOneLine) {
-    const Files before = files();
-    expect_error(signalled(
-                     SIGINT, {"example", "hypar:300x300", "-o", "large.json"},
-                     [](const Outcome& outcome) { return !outcome.err.empty(); }, milliseconds(5)),
-                 130, "interrupted");
-    EXPECT_EQ(files(), before);
 }
 
 }  // namespace

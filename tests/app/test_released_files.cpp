@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against files of older versions that are no longer read, or read as something else. Each
-// folder of tests/data/released/ holds what the program of that version wrote; a release adds one.
+// folder of tests/data/released/ holds files that the program of that version wrote; a release adds
+// one.
 
 #include <algorithm>
 #include <filesystem>
@@ -37,16 +38,16 @@ TEST_P(FilesOfRelease, NetFormAndSurveyGiveTheLengthsOfThen) {
     }
 }
 
-TEST_P(FilesOfRelease, DataSetAndModelAreGoneOnWith) {
-    const auto tells_no_digest = testing::HasSubstr("tells no digest");
-    EXPECT_THAT(run({"train", "data.h5", "-o", "again.h5"}).err, tells_no_digest);
+TEST_P(FilesOfRelease, DataSetAndModelAreStillUsed) {
+    const auto has_no_digest = testing::HasSubstr("has no digest");
+    EXPECT_THAT(run({"train", "data.h5", "-o", "again.h5"}).err, has_no_digest);
     const auto by_model = [&](const std::string& model) {
         return run(
             {"identify", "net.json", "survey.csv", "--model", model, "-o", "gp.json", "--json"});
     };
     const Outcome by_old = by_model("model.h5");
     const Outcome by_new = by_model("again.h5");
-    EXPECT_THAT(by_old.err, tells_no_digest);
+    EXPECT_THAT(by_old.err, has_no_digest);
     EXPECT_EQ(by_new.err, "");
     const json then = json::parse(by_old.out)["edges"];
     const json now = json::parse(by_new.out)["edges"];
@@ -56,7 +57,7 @@ TEST_P(FilesOfRelease, DataSetAndModelAreGoneOnWith) {
     }
 }
 
-TEST_P(FilesOfRelease, ResultWithItsDrawsAndTurnsArePlannedOnAndSurveyedAgain) {
+TEST_P(FilesOfRelease, ResultWithItsSamplesAndTurnsIsPlannedOn) {
     const json then = json::parse(read("plan.json"));
     const json now =
         json::parse(must_run({"plan", "net.json", "result.json", "-o", "now.json", "--json"}));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against results that depend on how many processes shared the work: samples of other random
-// numbers, sums in another order, trials lost or counted twice.
+// Guards against results that depend on how many processes shared the work: other random numbers,
+// sums in another order, trials lost or counted twice.
 
 #include "app/program.hpp"
 
@@ -11,14 +11,7 @@ namespace {
 using namespace taut::test;
 using nlohmann::json;
 
-using Words = std::vector<std::string>;
-
-Words put_before(const std::string& word, Words words) {
-    words.insert(words.begin(), word);
-    return words;
-}
-
-/// Times, and when it was: all that two runs may differ in.
+/// Times and dates, by which two runs may differ.
 void remove_times(json& document) {
     if (document.is_object()) {
         for (const std::string key :
@@ -58,7 +51,7 @@ protected:
 private:
     [[nodiscard]] std::pair<std::string, std::string> by(const std::string& who, const Words& words,
                                                          const std::string& file) const {
-        const Outcome outcome = run(put_before(who, words));
+        const Outcome outcome = run(joined({who}, words));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         std::pair<std::string, std::string> result{outcome.out, read(file)};
         std::filesystem::remove(folder() / file);
@@ -66,7 +59,7 @@ private:
     }
 };
 
-TEST_P(OverRanks, SampleGivesTheSameDataSetAndSaysTheSame) {
+TEST_P(OverRanks, SampleGivesTheSameDataSetAndPrintsTheSame) {
     for (const Words& words :
          {Words{"sample", "net.json", "-n", "150", "-o", "data.h5"},
           Words{"sample", "net.json", "-n", "5", "-o", "data.h5", "--seed", "7", "--prior",

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "mpi_team.hpp"
+#include "mpi_process_group.hpp"
 
 #include <fmt/core.h>
 #include <mpi.h>
@@ -23,9 +23,8 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-/// After a stop was requested, the first waits no longer than this for the others: they are lost,
-/// or in the middle of something long, and it has something to keep. mpirun leaves a second between
-/// its request and the end.
+/// How long the first process waits for the others after a stop was requested: they may be lost or
+/// busy, and it has samples to keep. mpirun leaves a second between its request and the end.
 constexpr milliseconds patience{300};
 
 /// MPI counts with int, so more is exchanged in rounds [bytes].
@@ -33,7 +32,7 @@ constexpr std::ptrdiff_t most_at_once = std::ptrdiff_t{1} << 30;
 
 /// Waits without taking a processor from those that still work: MPI's own waiting takes a whole
 /// one.
-/// @return false where it gives up, after a stop was requested and nothing came in time
+/// @return false where nothing came within `patience` of a requested stop
 bool wait_idly(MPI_Request& request, bool may_give_up) {
     std::optional<Clock::time_point> last;
     for (microseconds pause{10};; pause = std::min(2 * pause, microseconds{2000})) {
@@ -81,9 +80,9 @@ cpu_set_t allowed_processors() {
 
 }  // namespace
 
-MpiTeam::MpiTeam() {
+MpiProcessGroup::MpiProcessGroup() {
     int provided = 0;
-    // Whichever thread of oneTBB comes to an exchange makes it, one at a time.
+    // Any thread of oneTBB may come to an exchange, one at a time.
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
     MPI_Comm_size(MPI_COMM_WORLD, &m_size);
     MPI_Comm_rank(MPI_COMM_WORLD, &m_rank);
@@ -92,7 +91,7 @@ MpiTeam::MpiTeam() {
     }
 }
 
-std::vector<MpiTeam::Notice> MpiTeam::meet(const Notice& own) {
+std::vector<MpiProcessGroup::Notice> MpiProcessGroup::meet(const Notice& own) {
     struct Exchange {
         Notice own;
         std::vector<Notice> all;
@@ -110,8 +109,8 @@ std::vector<MpiTeam::Notice> MpiTeam::meet(const Notice& own) {
     return std::move(exchange->all);
 }
 
-std::optional<MpiTeam::Ending> MpiTeam::failure_among(const std::vector<Notice>& notices,
-                                                      std::string message) {
+std::optional<MpiProcessGroup::Ending> MpiProcessGroup::failure_among(
+    const std::vector<Notice>& notices, std::string message) {
     const auto first = std::ranges::find(notices, int{Notice::failed}, &Notice::state);
     if (first == notices.end()) {
         return std::nullopt;
@@ -123,7 +122,7 @@ std::optional<MpiTeam::Ending> MpiTeam::failure_among(const std::vector<Notice>&
     return m_ending;
 }
 
-std::vector<std::string> MpiTeam::gather(std::string part, Receivers receivers) {
+std::vector<std::string> MpiProcessGroup::gather(std::string part, Receivers receivers) {
     const std::vector<Notice> notices = meet({.length = std::ssize(part)});
     if (const auto failure = failure_among(notices, "")) {
         if (failure->code == interrupted) {
@@ -159,7 +158,7 @@ std::vector<std::string> MpiTeam::gather(std::string part, Receivers receivers) 
     return parts;
 }
 
-int MpiTeam::fair_threads() const {
+int MpiProcessGroup::fair_threads() const {
     MPI_Comm machine = MPI_COMM_NULL;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, m_rank, MPI_INFO_NULL, &machine);
     int processes = 1;
@@ -180,7 +179,7 @@ int MpiTeam::fair_threads() const {
     return std::max(1, static_cast<int>(share + rounding));
 }
 
-MpiTeam::Ending MpiTeam::agree_on_ending(const Ending& own) {
+MpiProcessGroup::Ending MpiProcessGroup::agree_on_ending(const Ending& own) {
     if (!m_is_lost && !m_ending) {
         try {
             const auto notices = meet({.state = own.code == 0 ? Notice::finished : Notice::failed,
@@ -202,7 +201,7 @@ MpiTeam::Ending MpiTeam::agree_on_ending(const Ending& own) {
     return m_is_lost ? own : *m_ending;
 }
 
-void MpiTeam::finish() const {
+void MpiProcessGroup::finish() const {
     if (!m_is_lost) {
         MPI_Finalize();
     }  // else the others wait for the first, and mpirun ends them when it is gone

@@ -12,9 +12,9 @@
 
 namespace taut::app {
 
-/// The processes that mpirun started, as a team. Before each exchange they tell each other whether
-/// they go on, so that one that failed or came to its end leaves no other waiting.
-class MpiTeam final : public Team {
+/// The processes that mpirun started, as a process group. Before each exchange each of them sends
+/// whether it goes on, so that one that failed or has ended leaves no other waiting.
+class MpiProcessGroup final : public Team {
 public:
     /// How all processes together ended.
     struct Ending {
@@ -23,37 +23,37 @@ public:
     };
 
     /// Begins the use of MPI. One object a program.
-    MpiTeam();
-    /// Nothing: where processes are lost MPI cannot be ended in order. finish() does.
-    ~MpiTeam() override = default;
-    MpiTeam(const MpiTeam&) = delete;
-    MpiTeam& operator=(const MpiTeam&) = delete;
-    MpiTeam(MpiTeam&&) = delete;
-    MpiTeam& operator=(MpiTeam&&) = delete;
+    MpiProcessGroup();
+    /// Does nothing, since MPI cannot be ended in order where processes are lost: see finish().
+    ~MpiProcessGroup() override = default;
+    MpiProcessGroup(const MpiProcessGroup&) = delete;
+    MpiProcessGroup& operator=(const MpiProcessGroup&) = delete;
+    MpiProcessGroup(MpiProcessGroup&&) = delete;
+    MpiProcessGroup& operator=(MpiProcessGroup&&) = delete;
 
     [[nodiscard]] int size() const override { return m_size; }
     [[nodiscard]] int rank() const override { return m_rank; }
     [[nodiscard]] std::vector<std::string> gather(std::string part, Receivers receivers) override;
 
-    /// The threads that this process may use without taking another one's: of each processor that
-    /// the system lets it use, its share among the processes that may use it, too.
+    /// Threads that this process may use without taking those of another: the sum over its
+    /// processors of 1 / (processes of this machine that may use that processor).
     [[nodiscard]] int fair_threads() const;
 
-    /// Tells the others how this process ended, and waits for them. Where several failed, the first
-    /// of them tells for all. No exchange is possible afterwards.
+    /// Sends to the others how this process ended, and waits for them. Where several failed, all
+    /// are given the failure of the first of them. No exchange is possible afterwards.
     [[nodiscard]] Ending agree_on_ending(const Ending& own);
 
-    /// Ends the use of MPI. Whatever is to be told is told before: where mpirun ends processes it
-    /// no longer answers, and they do not come back from this.
+    /// Ends the use of MPI. Print everything before: where mpirun is ending the processes, it no
+    /// longer answers, and this does not return.
     void finish() const;
 
 private:
-    /// What processes tell of themselves before an exchange.
+    /// The state of a process, sent before each exchange.
     struct Notice {
         enum State { going_on, finished, failed };
         int state = going_on;
         int code = 0;
-        /// Of what is exchanged, or of the message of a failure [bytes].
+        /// Size of what is exchanged, or of the message of a failure [bytes].
         std::ptrdiff_t length = 0;
     };
 

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards intervals of surveys whose targets are offset from the cables.
+
+#include "app/built_net.hpp"
+
+namespace {
+
+using namespace taut::test;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+using OffsetTargets = BuiltNetTest;
+
+TEST_F(OffsetTargets, HaveIntervalsThatHoldWhereTheOffsetIsGivenAndAreFoundWhereItIsNot) {
+    int inside = 0;
+    int edges = 0;
+    for (const int seed : {1, 2, 3, 4}) {
+        build(seed);
+        survey({"--noise", "0.5mm", "--offset", "3mm:0.2mm", "--seed", std::to_string(seed)});
+        // By the prior that is true and no other, which intervals would hold more than 95 % for.
+        const auto given = identify("survey.csv", {"--offset", "3mm:0.2mm", "--prior",
+                                                   "uniform:5mm", "--prior-exact"})
+                               .result;
+        EXPECT_EQ(given["trust"]["verdict"], "passed") << given["trust"];
+        inside += count_inside(given);
+        edges += static_cast<int>(given["edges"].size());
+        const auto not_given = identify("survey.csv").result;
+        EXPECT_NE(not_given["trust"]["verdict"], "passed");
+        EXPECT_LT(coverage(not_given), 0.9);
+    }
+    const double part = static_cast<double>(inside) / edges;
+    EXPECT_GE(part, 0.94);
+    EXPECT_LE(part, 0.96);
+}
+
+TEST_F(OffsetTargets, HaveTheOffsetOfTheirKind) {
+    survey({"--noise", "0.5mm", "--offset", "-3mm"});
+    edit("survey.csv", [](const std::string& line, int number) {
+        return number == 0 ? "Name,X,Y,Z,Code" : first_fields(line, 4) + ",prism";
+    });
+    write("offsets.csv", "target,offset,std\nprism,-3mm,0.1mm\n17,-0.003,0\n");
+    const auto [result, err] =
+        identify("survey.csv", {"--noise", "0.5mm", "--offsets", "offsets.csv", "--unit", "m"});
+    EXPECT_THAT(err, AllOf(HasSubstr("299 targets"), HasSubstr("1 target ")));
+    EXPECT_GE(coverage(result), 0.92);
+    write("offsets.csv", "sticker,3mm\n");
+    expect_error(run({"identify", "net.json", "survey.csv", "--offsets", "offsets.csv"}), 2,
+                 "'sticker'");
+    expect_error(run({"identify", "net.json", "survey.csv", "--offset", "3mm:x"}), 2, "'x'");
+}
+
+}  // namespace
