@@ -37,7 +37,7 @@ int main() {
         taut::plan_strokes(built, taut::FormTarget(net, net.nodes()), limits,
                            {.edges = {}, .turn = turn, .tolerance = {}, .survey_noise = {}});
     const taut::TurnOrder order =
-        taut::order_turns(built, limits, plan, {.crews = 2, .step = turn.step()});
+        taut::order_turns(built, limits, plan, {.crews = 2, .turn_step = turn.step()});
 
     const taut::Turning& first = order.turnings.front();
     std::cout << "normal deviation " << 1e3 * plan.as_built.normal_mean << " -> "

@@ -11,7 +11,7 @@
 #include "command.hpp"
 #include "mpi_process_group.hpp"
 #include "run_program.hpp"
-#include "taut/team.hpp"
+#include "taut/process_group.hpp"
 #include "taut/threads.hpp"
 #include "terminal.hpp"
 
@@ -60,7 +60,7 @@ int run(int argc, char** argv) noexcept {
         };
         // --threads overrides this.
         taut::with_threads(mpi_process_group->fair_threads(),
-                           [&] { taut::with_team(*mpi_process_group, run_all); });
+                           [&] { taut::with_process_group(*mpi_process_group, run_all); });
         return code;
     } catch (const std::exception& error) {
         print_message("error", error.what());

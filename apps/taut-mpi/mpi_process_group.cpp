@@ -128,7 +128,7 @@ std::vector<std::string> MpiProcessGroup::gather(std::string part, Receivers rec
         if (failure->code == interrupted) {
             throw Interrupted();
         }
-        throw TeammateFailed(failure->message);
+        throw PeerFailed(failure->message);
     }
     if (std::ranges::find(notices, int{Notice::finished}, &Notice::state) != notices.end()) {
         std::fputs("taut: error: internal error: processes came to different ends\n", stderr);

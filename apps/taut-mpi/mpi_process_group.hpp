@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "taut/team.hpp"
+#include "taut/process_group.hpp"
 
 namespace taut::app {
 
 /// The processes that mpirun started, as a process group. Before each exchange each of them sends
 /// whether it goes on, so that one that failed or has ended leaves no other waiting.
-class MpiProcessGroup final : public Team {
+class MpiProcessGroup final : public ProcessGroup {
 public:
     /// How all processes together ended.
     struct Ending {

@@ -12,7 +12,7 @@
 #include "memory_limit.hpp"
 #include "run_record.hpp"
 #include "taut/files/file.hpp"
-#include "taut/team.hpp"
+#include "taut/process_group.hpp"
 #include "taut/threads.hpp"
 #include "terminal.hpp"
 
@@ -21,10 +21,11 @@ namespace {
 
 /// Processes that share the work must have been given the same arguments.
 void require_same_arguments() {
-    if (team().size() == 1) {
+    if (process_group().size() == 1) {
         return;
     }
-    const std::vector<std::string> all = team().gather(run_record().command, Receivers::all);
+    const std::vector<std::string> all =
+        process_group().gather(run_record().command, Receivers::all);
     const auto other = std::ranges::find_if(
         all, [&](const std::string& command) { return command != all.front(); });
     if (other != all.end()) {

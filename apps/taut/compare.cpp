@@ -18,11 +18,11 @@
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/units.hpp"
+#include "taut/process_group.hpp"
 #include "taut/report/report_html.hpp"
 #include "taut/results/comparison_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/study/comparison.hpp"
-#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -110,7 +110,7 @@ void run(const CompareOptions& given) {
     const int most = std::ranges::max(options.comparison.training_samples);
     require_memory(training_memory(net, most), fmt::format("{} training samples", most));
     const std::filesystem::path directory(options.directory);
-    if (team().is_first()) {
+    if (process_group().is_first()) {
         check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
                                {options.net});
     }
@@ -119,7 +119,7 @@ void run(const CompareOptions& given) {
         ProgressLine line(options.quiet);
         return compare_methods(net, options.comparison, line.progress());
     }();
-    if (!team().is_first()) {
+    if (!process_group().is_first()) {
         return;
     }
     const std::string json = comparison_to_json(comparison, run_record());

@@ -28,7 +28,7 @@ std::string over(double factor) {
     return factor < large ? fmt::format("{:.2f}", factor) : fmt::format("{:.1e}", factor);
 }
 
-std::string bound_line(const std::string& place, const std::optional<BestPossible>& best) {
+std::string bound_line(const std::string& place, const std::optional<CramerRaoBound>& best) {
     if (!best) {
         return "";
     }

@@ -14,11 +14,11 @@
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/units.hpp"
+#include "taut/process_group.hpp"
 #include "taut/report/report_html.hpp"
 #include "taut/results/control_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/study/control.hpp"
-#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -89,13 +89,13 @@ void run(const ControlCommand& command) {
     const CableNet net = read_net(command.net).net;
     const ControlSettings settings = settings_of(net, command);
     const std::filesystem::path directory(command.directory);
-    if (team().is_first()) {
+    if (process_group().is_first()) {
         check_output_directory(directory, {"control.json", "control.csv", "report.html"},
                                {command.net});
     }
     ProgressLine line(command.quiet);
     const std::vector<ControlRecord> records = simulate_control(net, settings, line.progress());
-    if (!team().is_first()) {
+    if (!process_group().is_first()) {
         return;
     }
     const std::string json = control_to_json(records, net, settings, run_record());

@@ -79,9 +79,10 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
 Forces read_forces(const CableNet& net, const ForceOptions& options) {
     Forces forces;
     if (!options.forces.empty()) {
-        forces.readings = parse_force_measurements(net, read_file(options.forces), options.forces,
-                                                   format_of(options));
-        if (const std::string warning = force_unit_warning(net, forces.readings, options.forces);
+        forces.measurements = parse_force_measurements(net, read_file(options.forces),
+                                                       options.forces, format_of(options));
+        if (const std::string warning =
+                force_unit_warning(net, forces.measurements, options.forces);
             !warning.empty()) {
             warn(options.forces, {warning});
         }
@@ -122,7 +123,7 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
                                          net.edge_id(edge)));
         }
         const double std = format.std > 0.0 ? format.std : format.relative_std * designed(edge);
-        forces.readings.push_back({.edge = edge, .tension = designed(edge), .std = std});
+        forces.measurements.push_back({.edge = edge, .tension = designed(edge), .std = std});
     }
     return forces;
 }

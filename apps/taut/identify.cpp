@@ -119,20 +119,20 @@ std::string tension_text(const DrawnEstimate& tension) {
 
 /// Force measurements and edges seen taut or slack, and which of them contradict the survey.
 void print_forces(const CableNet& net, const Identification& result) {
-    if (result.readings > 0) {
-        say("force measurements: {}, of which {} not used\n", result.readings,
-            result.reading_outliers.size());
+    if (result.force_measurements > 0) {
+        say("force measurements: {}, of which {} not used\n", result.force_measurements,
+            result.force_outliers.size());
     }
-    for (const ForceOutlier& outlier : result.reading_outliers) {
+    for (const ForceOutlier& outlier : result.force_outliers) {
         say("  {:<12} measured {:.4g} kN, expected {:.4g} kN from everything else\n",
-            net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
+            net.edge_id(outlier.edge), 1e-3 * outlier.measured, 1e-3 * outlier.expected);
     }
-    if (result.reading_bias) {
+    if (result.force_bias) {
         say("  together they contradict the survey, by which tensions are {:.2g} +- {:.2g} times "
             "the "
             "measured ones.\n  taut used none of them. Check their unit, their calibration and the "
             "net's stiffness.\n",
-            1.0 - result.reading_bias->part, result.reading_bias->std);
+            1.0 - result.force_bias->part, result.force_bias->std);
     }
     if (result.contradicted_taut.empty() && result.contradicted_slack.empty()) {
         return;
@@ -246,7 +246,7 @@ void print_draws(const Identification& result) {
     }
     const PosteriorDraws& draws = *result.draws;
     if (result.drawn.tensions.empty()) {
-        say("tensions: not reported, since {}\n", draws.doubt);
+        say("tensions: not reported, since {}\n", draws.reason);
         return;
     }
     say("mean tension: {}\n  from {} posterior samples: {}{}\n",

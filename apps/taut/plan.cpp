@@ -14,8 +14,8 @@
 #include "progress_line.hpp"
 #include "run_record.hpp"
 #include "survey_input.hpp"
-#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
@@ -232,17 +232,17 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
 /// Targets that would improve the plan if they were surveyed before anything is turned.
 void print_suggested_targets(const CableNet& net, const Plan& plan, double noise) {
     if (plan.draws == 0) {
-        say("no targets are suggested, since {}\n", plan.no_draws_since);
+        say("no targets are suggested, since {}\n", plan.no_draws_because);
         return;
     }
-    if (plan.further_targets.empty()) {
+    if (plan.suggested_targets.empty()) {
         say("no single further target, surveyed to {}, would improve the planned form\n",
             format_length(noise));
         return;
     }
     say("suggested targets, surveyed to {}: they reduce these {:.2f} mm to\n", format_length(noise),
         1e3 * plan.normal_std);
-    for (const FurtherTarget& target : plan.further_targets) {
+    for (const SuggestedTarget& target : plan.suggested_targets) {
         say("  {:<12} {:.3f} mm, together with those above\n", net.node_id(target.node),
             1e3 * target.normal_std);
     }
@@ -316,7 +316,7 @@ void print_limits(const PlanRecord& record) {
         const std::string_view kept = is_limited ? "limits are kept" : "no cable goes slack";
         const std::string_view broken = is_limited ? "limits are broken" : "cables go slack";
         say("{} by the estimate{}\n", plan.is_feasible ? kept : broken,
-            is_limited ? "" : "; its probability is not known, since " + plan.no_draws_since);
+            is_limited ? "" : "; its probability is not known, since " + plan.no_draws_because);
     }
 }
 
@@ -331,8 +331,8 @@ void print_order(const PlanRecord& record) {
         say("  probability that no step breaks a limit: {:.1f} % (required: {:g} %)\n",
             100.0 * order.safe_probability, 100.0 * record.options->confidence);
     }
-    if (!order.is_safe && order.worst.moment >= 0) {
-        say("  at step {} {}{}\n", order.worst.moment + 1,
+    if (!order.is_safe && order.worst.step >= 0) {
+        say("  at step {} {}{}\n", order.worst.step + 1,
             where_text(*record.net, order.worst.breach),
             order.worst.breach.probability > 0.0
                 ? fmt::format(", kept with a probability of {:.0f} %",
@@ -391,7 +391,7 @@ void print(const PlanCommand& command, const PlanRecord& record) {
         say("{}\n", record.further->empty()
                         ? "no further adjustable edge would help"
                         : "suggested further adjustable edges, each with those above it:");
-        for (const FurtherEdge& further : *record.further) {
+        for (const SuggestedEdge& further : *record.further) {
             say("  edge {}: by {:.2f} mm, which leaves a normal RMS of {:.3f} mm\n",
                 net.edge_id(further.edge), 1e3 * further.stroke, 1e3 * further.normal_rmse_after);
         }
@@ -430,15 +430,15 @@ void run(const PlanCommand& command) {
         planned(command.result, identified.built, target, limits, options, line.progress());
     const TurnOrder order = order_turns(identified.built, limits, plan,
                                         {.crews = command.crews,
-                                         .step = options.turn ? options.turn->step() : 0.0,
+                                         .turn_step = options.turn ? options.turn->step() : 0.0,
                                          .confidence = options.confidence,
                                          .actuator_std = options.actuator_std,
                                          .seed = options.seed},
                                         line.progress());
-    std::optional<std::vector<FurtherEdge>> further;
+    std::optional<std::vector<SuggestedEdge>> further;
     if (command.suggest_adjustable > 0) {
-        further = further_edges(identified.built, target, limits, options, plan,
-                                command.suggest_adjustable, line.progress());
+        further = suggested_edges(identified.built, target, limits, options, plan,
+                                  command.suggest_adjustable, line.progress());
     }
     const PlanRecord record{.net = &net,
                             .built = &identified.built,

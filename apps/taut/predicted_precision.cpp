@@ -49,12 +49,12 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
                          {"status", to_string(e.status)}});
     }
     nlohmann::ordered_json forces = nlohmann::ordered_json::array();
-    for (const TensionPrecision& force : lengths.readings) {
+    for (const TensionPrecision& force : lengths.force_candidates) {
         forces.push_back({{"edge", force.edge},
                           {"id", net.edge_id(force.edge)},
                           {"tension", force.tension},
                           {"tension_std", force.std},
-                          {"mean_tension_std", force.mean_std_with_reading}});
+                          {"mean_tension_std", force.mean_std_if_measured}});
     }
     return {{"file", file},
             {"used", precision.survey.surveyed.size()},
@@ -102,11 +102,11 @@ std::string precision_text(const CableNet& net, const PredictedSurvey& precision
         100.0 * lengths.mean_tension_std / lengths.mean_tension, 1e-3 * lengths.mean_tension,
         "edge", "tension [kN]", "std of the mean [%]");
     constexpr size_t best = 5;
-    for (size_t i = 0; i < std::min(best, lengths.readings.size()); ++i) {
-        const TensionPrecision& force = lengths.readings[i];
+    for (size_t i = 0; i < std::min(best, lengths.force_candidates.size()); ++i) {
+        const TensionPrecision& force = lengths.force_candidates[i];
         text += fmt::format("  {:<12}{:>14.4g}{:>20.3g}\n", net.edge_id(force.edge),
                             1e-3 * force.tension,
-                            100.0 * force.mean_std_with_reading / lengths.mean_tension);
+                            100.0 * force.mean_std_if_measured / lengths.mean_tension);
     }
     return text;
 }

@@ -18,9 +18,9 @@
 #include "taut/files/input_error.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/process_group.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/plausibility.hpp"
-#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -98,13 +98,13 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
             }
         };
         sampler.extend(data, options.count, line.progress(), keep_now_and_then);
-    } catch (const TeammateFailed& failure) {
+    } catch (const PeerFailed& failure) {
         if (data.size() > 0) {
             try {
                 keep();
             } catch (const OutputError& error) {
-                throw TeammateFailed(fmt::format("{}; the finished samples could not be kept: {}",
-                                                 failure.what(), error.what()));
+                throw PeerFailed(fmt::format("{}; the finished samples could not be kept: {}",
+                                             failure.what(), error.what()));
             }
         }
         throw;
@@ -158,7 +158,7 @@ void run(const SampleOptions& options) {
     const Sampler sampler(net.net, parse_length_prior(options.prior), options.seed,
                           options.uncertain.given(net.net, options.net));
     DataSet data = sampler.empty();
-    if (!team().is_first()) {
+    if (!process_group().is_first()) {
         draw(options, net, sampler, data);
         return;
     }

@@ -68,7 +68,7 @@ void simulate_observations(const SurveySimulationOptions& options, const CableNe
     }
     const PolarSurvey survey = simulate_polar_survey(net, form, simulation);
     write_file(options.output, polar_to_csv(survey));
-    const auto targets = survey.readings.size() / survey.stations.size();
+    const auto targets = survey.observations.size() / survey.stations.size();
     const auto free_points = targets - net.supports().size();
     const double angle = 1e3 * simulation.angle_std / gon;
     const DistancePrecision& distance = simulation.distance;

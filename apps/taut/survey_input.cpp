@@ -166,11 +166,11 @@ ReadSurveyOptions SurveyOptions::read_options() const {
         const AngleText given = parse_angle_std(angle);
         options.angle_std = given.angle;
         options.file.angle_unit = given.full_unit;
-        options.file.takes_readings = true;
+        options.file.takes_observations = true;
     }
     if (!range.empty()) {
         options.distance = parse_distance_precision(range);
-        options.file.takes_readings = true;
+        options.file.takes_observations = true;
     }
     return options;
 }
@@ -196,7 +196,7 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
             const auto noise = survey.noise_std.col(node).array();
             return (noise != given && noise != rounded).any();
         });
-        if (survey.tells_noise && other > 0) {
+        if (survey.has_own_noise && other > 0) {
             text +=
                 fmt::format("  --noise {} is not used for {} of these: the file has their own\n",
                             options.noise, other);

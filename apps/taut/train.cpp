@@ -20,7 +20,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
-#include "taut/team.hpp"
+#include "taut/process_group.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -115,7 +115,7 @@ void run(const TrainOptions& options) {
     }
     require_memory(training_memory(stored.net.net, static_cast<double>(samples.size())),
                    fmt::format("{} samples", samples.size()));
-    if (team().is_first()) {
+    if (process_group().is_first()) {
         check_outputs({options.output}, {options.data});
     }
     const auto start = std::chrono::steady_clock::now();
@@ -123,7 +123,7 @@ void run(const TrainOptions& options) {
         ProgressLine line(options.quiet);
         return train(stored.net.net, stored.data, samples, options.settings(), line.progress());
     }();
-    if (!team().is_first()) {
+    if (!process_group().is_first()) {
         return;
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;

@@ -121,7 +121,7 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
         Plan plan = plan_on(built, form, limits, options, told);
         TurnOrder order = order_turns(built, limits, plan,
                                       {.crews = crews,
-                                       .step = options.turn ? options.turn->step() : 0.0,
+                                       .turn_step = options.turn ? options.turn->step() : 0.0,
                                        .confidence = options.confidence,
                                        .actuator_std = options.actuator_std,
                                        .seed = options.seed},

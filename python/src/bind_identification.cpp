@@ -46,7 +46,7 @@ Forces forces_told(const CableNet& net, const Readings& readings,
                    const std::optional<ArrayLike>& slack_edges) {
     Forces forces;
     for (const auto& [edge, tension, std] : readings) {
-        forces.readings.push_back({.edge = edge, .tension = tension, .std = std});
+        forces.measurements.push_back({.edge = edge, .tension = tension, .std = std});
     }
     if (taut_edges) {
         forces.taut = indices_argument(*taut_edges, "taut");

@@ -88,11 +88,11 @@ ReadSurveyOptions reading(std::optional<double> noise, const Told& told) {
         }
         options.angle_std = angle.angle;
         options.file.angle_unit = angle.full_unit;
-        options.file.takes_readings = true;
+        options.file.takes_observations = true;
     });
     take("range", [&](const std::string& text) {
         options.distance = parse_distance_precision(text);
-        options.file.takes_readings = true;
+        options.file.takes_observations = true;
     });
     take("offsets", [&](const std::string& file) {
         options.offsets.of = parse_target_offsets(read_file(file), file);

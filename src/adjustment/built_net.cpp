@@ -79,9 +79,9 @@ ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& tu
 
 void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
                std::span<const ParameterEstimate> uncertain) {
-    if (!draws.doubt.empty()) {
+    if (!draws.reason.empty()) {
         built.no_draws_because =
-            fmt::format("the posterior samples are not reliable: {}", draws.doubt);
+            fmt::format("the posterior samples are not reliable: {}", draws.reason);
         return;
     }
     if (!holds_all(draws, uncertain)) {

@@ -313,7 +313,7 @@ double Perturbation::length_of_tension(int edge, double length, double tension,
 /// Model perturbation of a draw.
 ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
                                                    const Eigen::VectorXd& own_stiffness) const {
-    ModelPerturbation result = as_told(m_net);
+    ModelPerturbation result = unperturbed(m_net);
     const CommonParameters& common = m_statics.common();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         result.stiffness(e) = std::log(common.stiffness_factor(e, drawn.common)) + own_stiffness(e);
@@ -331,9 +331,9 @@ ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
 double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
                                        const Eigen::VectorXd& tensions_in_balance) const {
     double sum = m_sites.squared_norm(form - drawn.form);
-    if (!m_knowledge.forces.readings.empty()) {
+    if (!m_knowledge.forces.measurements.empty()) {
         const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
-        for (const ForceMeasurement& force : m_knowledge.forces.readings) {
+        for (const ForceMeasurement& force : m_knowledge.forces.measurements) {
             const int e = force.edge;
             sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - by_draw(e), 2);
         }
@@ -433,7 +433,7 @@ PerturbedDraws Perturbation::collected(const std::vector<std::optional<Draw>>& d
     }
     const auto places = (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count();
     const auto forces = std::ranges::count_if(
-        m_knowledge.forces.readings,
+        m_knowledge.forces.measurements,
         [this](const ForceMeasurement& one) { return m_sites.tension_weights(one.edge) > 0.0; });
     const auto observed = static_cast<double>(places + forces);
     result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));

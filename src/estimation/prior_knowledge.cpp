@@ -18,8 +18,8 @@ double PriorKnowledge::length_std() const {
 std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
                                           const std::vector<bool>& rejected_forces) const {
     constexpr double surely_taut = 4.0;  // standard deviations
-    for (size_t k = 0; k < forces.readings.size(); ++k) {
-        const ForceMeasurement& force = forces.readings[k];
+    for (size_t k = 0; k < forces.measurements.size(); ++k) {
+        const ForceMeasurement& force = forces.measurements[k];
         const bool is_rejected = !rejected_forces.empty() && rejected_forces[k];
         if (!is_rejected && force.tension > surely_taut * force.std) {
             slack[force.edge] = false;
@@ -85,7 +85,7 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
         }
     }
     result.set_evidence(knowledge.evidence);
-    for (const ForceMeasurement& force : knowledge.forces.readings) {
+    for (const ForceMeasurement& force : knowledge.forces.measurements) {
         result.tension(force.edge) = force.tension;
         result.tension_weights(force.edge) = 1.0 / (force.std * force.std);
     }

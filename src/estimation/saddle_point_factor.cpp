@@ -195,7 +195,7 @@ bool SaddlePointFactor::factorize() {
 
 /// Lengths that go first leave -g' b / p of their right-hand side b.
 Eigen::VectorXd SaddlePointFactor::gather(const Vector& vector) const {
-    Eigen::VectorXd uncertain(m_factor->parameter_count());
+    Eigen::VectorXd uncertain(m_factor->unknown_count());
     for (int j = 0; j < layout().node_count(); ++j) {
         uncertain.segment<3>(layout().place[j]) = vector.places.col(j);
     }

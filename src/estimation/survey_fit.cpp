@@ -82,7 +82,8 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.uncertain, knowledge.frame_is_unknown, {}, knowledge.coupling()),
-      m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
+      m_snooping(net, m_survey, m_noise, m_knowledge.forces.measurements,
+                 settings.false_alarm_rate),
       m_length_snooping(net, knowledge.priors, prior_alarm_rate(survey, settings)),
       m_boundary_snooping(net, knowledge.uncertain, prior_alarm_rate(survey, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.uncertain));
@@ -581,7 +582,7 @@ double SurveyFit::first_inflation() const {
 Observations SurveyFit::observations(double inflation) const {
     Observations result = observe(m_net, m_survey, m_noise, m_snooping.rejected(), m_knowledge,
                                   m_statics.common().count());
-    const std::vector<ForceMeasurement>& forces = m_knowledge.forces.readings;
+    const std::vector<ForceMeasurement>& forces = m_knowledge.forces.measurements;
     for (size_t k = 0; k < forces.size(); ++k) {
         if (m_snooping.rejected_forces()[k]) {
             result.tension_weights(forces[k].edge) = 0.0;
@@ -601,7 +602,7 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, const Mode& mode) {
     m_snooping.evaluate(
         fitted.iterate.form, [this](int node) { return m_statics.form_covariance(node); },
         inflation);
-    if (!m_knowledge.forces.readings.empty()) {
+    if (!m_knowledge.forces.measurements.empty()) {
         m_snooping.evaluate_forces(
             m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
             [this](const Eigen::VectorXd& weights) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "gp/length_scale_search.hpp"
-#include "team_work.hpp"
+#include "shared_work.hpp"
 
 namespace taut::gp {
 namespace {
@@ -77,7 +77,7 @@ FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
                 seen[i].spectrum, squared_distances, outputs(Eigen::all, look.outputs),
                 settings.noise_ratio, is_last ? Slope::left_out : Slope::wanted);
         });
-        seen = gathered(looks.size(), std::move(seen));
+        seen = all_gather(looks.size(), std::move(seen));
         for (size_t k = 0; k < seen.size(); ++k) {
             keep_better(found.best, looks[k].log_lambda, looks[k].outputs, seen[k].profile);
             if (!is_last) {

@@ -384,7 +384,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     }
     result =
         identification_of(net, fit_net, survey, given.prior, knowledge, fit, fitted, observations);
-    result.force_measurements = static_cast<int>(given.forces.readings.size());
+    result.force_measurements = static_cast<int>(given.forces.measurements.size());
     result.force_outliers = fit.snooping().force_outliers();
     result.force_bias = fit.snooping().force_bias();
     result.prior = shown.estimate.value_or(exact_prior(given.prior));

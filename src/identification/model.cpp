@@ -12,8 +12,8 @@
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
 #include "numerics/fnv1a.hpp"
+#include "shared_work.hpp"
 #include "taut/gp/input_scales.hpp"
-#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -48,7 +48,7 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
 
 /// All processes of a team learn from the same.
 void require_same_samples(const DataSet& data, const std::vector<int>& samples) {
-    if (team().size() > 1) {
+    if (process_group().size() > 1) {
         Fnv1a hash;
         hash.add(data.form_deviations.data(), data.form_deviations.size());
         hash.add(data.length_deviations.data(), data.length_deviations.size());

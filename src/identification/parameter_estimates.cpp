@@ -227,7 +227,7 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
 
 ModelPerturbation perturbation_of(const CableNet& net,
                                   const std::vector<ParameterEstimate>& uncertain) {
-    ModelPerturbation result = as_told(net);
+    ModelPerturbation result = unperturbed(net);
     for (const ParameterEstimate& estimate : uncertain) {
         const double mean = estimate.mean;
         switch (estimate.parameter.kind) {

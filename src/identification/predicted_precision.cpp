@@ -101,7 +101,7 @@ public:
         result.mean_tension = m_tensions.mean();
         result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
         std::vector<bool> is_measured(m_net.edge_count(), false);
-        for (const ForceMeasurement& force : m_knowledge.forces.readings) {
+        for (const ForceMeasurement& force : m_knowledge.forces.measurements) {
             is_measured[force.edge] = true;
         }
         for (int e = 0; e < m_net.edge_count(); ++e) {

@@ -221,15 +221,15 @@ private:
                                   found, noise.ratio, rounded_length(given), noise.std),
             .next = m_other_cause.advice()};
         if (is_noise_likelier()) {
-            finding.remedy = Trust::Remedy{"noise", m_survey.tells_noise ? "estimate" : found};
+            finding.remedy = Trust::Remedy{"noise", m_survey.has_own_noise ? "estimate" : found};
             finding.next = fmt::format(
                 "{}{}",
                 noise.ratio > 1.0
                     ? "Check the frame, and whether targets stand off the cables (offset). If both "
                       "are right: "
                     : "",
-                m_survey.tells_noise ? "let taut scale the standard deviations of the file."
-                                     : "use this standard deviation.");
+                m_survey.has_own_noise ? "let taut scale the standard deviations of the file."
+                                       : "use this standard deviation.");
             finding.next[0] = static_cast<char>(std::toupper(finding.next[0]));
         }
         add(std::move(finding));

@@ -53,7 +53,7 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.attribute("prior", identification.length_prior.to_string());
     writer.attribute("seed", draws.seed);
     writer.attribute("how", draws.how);
-    writer.attribute("reason", draws.doubt);
+    writer.attribute("reason", draws.reason);
     writer.integers("edge", net.interior_edges());
     writer.integers("node", net.free_nodes());
     writer.matrix("length_deviation", draws.length_deviations, "m");
@@ -135,7 +135,7 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     draws.tensions = reader.matrix("tension", net.edge_count(), count);
     draws.seed = reader.number_attribute("seed");
     draws.how = reader.text_attribute("how");
-    draws.doubt = reader.text_attribute(version == 1 ? "doubt" : "reason");
+    draws.reason = reader.text_attribute(version == 1 ? "doubt" : "reason");
     return draws;
 }
 

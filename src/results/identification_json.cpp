@@ -121,8 +121,9 @@ Json boundary_json(const CableNet& net, const std::vector<BoundaryOutlier>& outl
         entry["deviation"] = is_support ? to_json(outlier.deviation) : Json(outlier.deviation.x());
         entry["std"] = is_support ? to_json(outlier.std) : Json(outlier.std.x());
         entry["statistic"] = outlier.statistic;
-        entry["confounded_with"] =
-            outlier.rival < 0 ? Json() : Json(id_of(!is_support, outlier.rival));
+        entry["confounded_with"] = outlier.confounded_with < 0
+                                       ? Json()
+                                       : Json(id_of(!is_support, outlier.confounded_with));
         list.push_back(std::move(entry));
     }
     return list;
@@ -178,7 +179,7 @@ Json diagnostics_json(const CableNet& net, const Identification& identification)
               {"lengths", prior.lengths},
               {"mean", prior.mean},
               {"mean_std", prior.mean_std},
-              {"outliers", prior.beyond},
+              {"outliers", prior.outliers},
               {"found", identification.contradicted_prior.has_value()},
               {"contradicted", identification.contradicted_prior
                                    ? Json(identification.contradicted_prior->checked.to_string())
@@ -186,7 +187,7 @@ Json diagnostics_json(const CableNet& net, const Identification& identification)
             {"frame", frame_check_json(identification.frame_check)},
             {"length_outliers", length_outliers},
             {"boundary", boundary_json(net, identification.boundary_outliers)},
-            {"boundary_not_released", identification.boundary_beyond}};
+            {"boundary_not_released", identification.boundary_not_released}};
 }
 
 /// The smallest error of each kind that the checks would find; null: none.
@@ -205,7 +206,7 @@ Json prior_json(const Identification& identification) {
     for (const PriorNode& node : prior.nodes) {
         nodes.push_back({{"prior", node.prior.to_string()}, {"weight", node.weight}});
     }
-    return {{"given", identification.prior_was_told ? Json(prior.given.to_string()) : Json()},
+    return {{"given", identification.prior_was_given ? Json(prior.given.to_string()) : Json()},
             {"exact", prior.exact},
             {"std", prior.std},
             {"std_std", prior.std_std},
@@ -250,7 +251,7 @@ void add_drawn(Json& document, const CableNet& net, const Identification& identi
                              {"fingerprint", fingerprint_of(draws)},
                              {"seed", draws.seed},
                              {"how", draws.how},
-                             {"reason", draws.doubt.empty() ? Json() : Json(draws.doubt)}};
+                             {"reason", draws.reason.empty() ? Json() : Json(draws.reason)}};
     }
     if (!drawn.tensions.empty()) {
         const DrawnEstimate& mean = drawn.mean_tension;
@@ -337,18 +338,18 @@ Json assumptions_json(const Identification& identification) {
 /// Force measurements, and those that contradict the rest.
 Json forces_json(const CableNet& net, const Identification& identification) {
     Json outliers = Json::array();
-    for (const ForceOutlier& outlier : identification.reading_outliers) {
+    for (const ForceOutlier& outlier : identification.force_outliers) {
         outliers.push_back({{"edge", outlier.edge},
                             {"id", net.edge_id(outlier.edge)},
-                            {"measured", outlier.read},
+                            {"measured", outlier.measured},
                             {"expected", outlier.expected},
                             {"statistic", outlier.statistic}});
     }
-    return {{"measurements", identification.readings},
+    return {{"measurements", identification.force_measurements},
             {"outliers", outliers},
-            {"bias", identification.reading_bias ? Json{{"part", identification.reading_bias->part},
-                                                        {"std", identification.reading_bias->std}}
-                                                 : Json()},
+            {"bias", identification.force_bias ? Json{{"part", identification.force_bias->part},
+                                                      {"std", identification.force_bias->std}}
+                                               : Json()},
             {"contradicted_taut", identification.contradicted_taut},
             {"contradicted_slack", identification.contradicted_slack}};
 }

@@ -14,10 +14,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "shared_work.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/form_sensitivity.hpp"
-#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -180,12 +180,13 @@ void Sampler::draw_block(DataSet& data, int first, int count, const Progress& pr
 void Sampler::draw_block_together(DataSet& data, int first, int count,
                                   const Progress& progress) const {
     const auto begin = [count](int rank) {
-        return static_cast<int>(std::int64_t{count} * rank / team().size());
+        return static_cast<int>(std::int64_t{count} * rank / process_group().size());
     };
-    const int mine = begin(team().rank());
+    const int mine = begin(process_group().rank());
     DataSet part = without_samples(data);
-    draw_block(part, first + mine, begin(team().rank() + 1) - mine, progress);
-    for (const std::string& bytes : team().gather(packed_samples(part), Receivers::first)) {
+    draw_block(part, first + mine, begin(process_group().rank() + 1) - mine, progress);
+    for (const std::string& bytes :
+         process_group().gather(packed_samples(part), Receivers::first)) {
         unpack_samples(bytes, part);
         append(data, part);
     }
@@ -195,23 +196,23 @@ void Sampler::extend(DataSet& data, int count, const Progress& progress,
                      const std::function<void()>& after_block) const {
     using Clock = std::chrono::steady_clock;
     require_same("net, prior, seed or uncertain", m_state->fingerprint());
-    int done = broadcast_from_first(data.size());
-    int block = 16 * team().size();
+    int done = broadcast(data.size());
+    int block = 16 * process_group().size();
     while (done < count) {
         progress("sampling", done, count);
         const auto start = Clock::now();
         const int next = std::min(block, count - done);
-        if (team().size() == 1) {
+        if (process_group().size() == 1) {
             draw_block(data, done, next, progress);
         } else {
             draw_block_together(data, done, next, progress);
         }
         done += next;
-        if (after_block && team().is_first()) {
+        if (after_block && process_group().is_first()) {
             after_block();
         }
         // About a second each: long enough to copy little, short enough to report and save often.
-        if (broadcast_from_first(Clock::now() - start < std::chrono::milliseconds(500))) {
+        if (broadcast(Clock::now() - start < std::chrono::milliseconds(500))) {
             block *= 2;
         }
     }
@@ -259,8 +260,8 @@ DataSet Sampler::joined(std::vector<SamplePart> parts) const {
 DataSet draw_samples(const Sampler& sampler, int count, const Progress& progress) {
     DataSet data = sampler.empty();
     sampler.extend(data, count, progress);
-    if (team().size() > 1) {
-        unpack_samples(team().gather(packed_samples(data), Receivers::all).front(), data);
+    if (process_group().size() > 1) {
+        unpack_samples(process_group().gather(packed_samples(data), Receivers::all).front(), data);
     }
     return data;
 }

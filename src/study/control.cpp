@@ -13,6 +13,7 @@
 
 #include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
+#include "shared_work.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/sampling/data_set.hpp"
@@ -20,7 +21,6 @@
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/simulation.hpp"
-#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -316,7 +316,7 @@ std::vector<ControlRecord> simulate_control(const CableNet& net, const ControlSe
             jobs.back().push_back(job.work(strategies[k / settings.trials], round));
         }
     }
-    jobs = gathered(total, std::move(jobs));
+    jobs = all_gather(total, std::move(jobs));
     std::vector<ControlRecord> records;
     for (size_t k = 0; k < jobs.size(); ++k) {
         if (k % settings.trials == 0) {

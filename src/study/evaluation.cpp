@@ -12,11 +12,11 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "shared_work.hpp"
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
 #include "taut/identification/best_possible.hpp"
 #include "taut/numerical_error.hpp"
-#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -216,7 +216,7 @@ MethodResult evaluate_together(const CableNet& net, const Method& method,
     const std::vector<size_t> mine = share_of(trials.size());
     const std::vector<Outcome> outcomes = attempt_all(method, trials, mine, progress);
     return result_of(net, method, trials,
-                     gathered(trials.size(), judge_all(net, trials, mine, outcomes)));
+                     all_gather(trials.size(), judge_all(net, trials, mine, outcomes)));
 }
 
 std::optional<CramerRaoBound> cramer_rao_bound(const CableNet& net, const LengthPrior& prior,
@@ -233,7 +233,7 @@ std::optional<CramerRaoBound> cramer_rao_bound(const CableNet& net, const Length
     } catch (const NumericalError&) {
         of_trials.assign(mine.size(), Eigen::VectorXd());
     }
-    of_trials = gathered(trials.size(), std::move(of_trials));
+    of_trials = all_gather(trials.size(), std::move(of_trials));
     Eigen::MatrixXd variances(net.interior_edge_count(), static_cast<Eigen::Index>(trials.size()));
     for (Eigen::Index k = 0; k < variances.cols(); ++k) {
         if (of_trials[k].size() == 0) {

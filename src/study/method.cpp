@@ -80,10 +80,9 @@ Method method_by_force_balance(const CableNet& net, const LengthPrior& prior) {
 
 Method method_by_maximum_a_posteriori(const CableNet& net, const LengthPrior& prior,
                                       const std::vector<UncertainParameter>& uncertain) {
-    Told told(prior);
-    told.uncertain = uncertain;
-    return {.name = "map", .identify = [&net, told](const Trial& trial) {
-                return identify_by_maximum_a_posteriori(net, trial.survey, told);
+    const Given given(prior, uncertain);
+    return {.name = "map", .identify = [&net, given](const Trial& trial) {
+                return identify_by_maximum_a_posteriori(net, trial.survey, given);
             }};
 }
 

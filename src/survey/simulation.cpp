@@ -6,9 +6,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/normal_distribution.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -18,16 +15,6 @@
 namespace taut {
 namespace {
 
-/// Boost's distributions give the same numbers on every platform; the standard's need not.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : m_engine(seed) {}
-
-    double normal() { return m_normal(m_engine); }
-    Eigen::Vector3d normals() {
-        const double x = normal();
-        const double y = normal();
-        return {x, y, normal()};
     }
 
     /// Uniform in a full circle.
@@ -49,7 +36,7 @@ private:
     boost::random::normal_distribution<double> m_normal;
 };
 
-RigidMotion random_motion(Dice& dice) {
+RigidMotion random_motion(BoostRandom& dice) {
     // A normal quaternion, normalised, is uniform over all rotations.
     const Eigen::Vector3d imaginary = dice.normals();
     const Eigen::Quaterniond turn(dice.normal(), imaginary.x(), imaginary.y(), imaginary.z());
@@ -70,7 +57,7 @@ void check_simulated(const CableNet& net, const Points& form, double dropped_par
 }
 
 /// Free nodes without a part of them, in any order.
-std::vector<int> seen_nodes(const CableNet& net, double dropped_part, Dice& dice) {
+std::vector<int> seen_nodes(const CableNet& net, double dropped_part, BoostRandom& dice) {
     std::vector<int> nodes = net.free_nodes();
     dice.shuffle(nodes);
     const auto dropped =
@@ -116,7 +103,7 @@ std::vector<SurveyPoint> simulate_survey(const CableNet& net, const Points& form
             "at least 0",
             simulation.offset, simulation.offset_std));
     }
-    Dice dice(simulation.seed);
+    BoostRandom dice(simulation.seed);
     std::vector<int> free_nodes = seen_nodes(net, simulation.dropped_part, dice);
     if (!simulation.shuffled) {
         std::ranges::sort(free_nodes);
@@ -157,7 +144,7 @@ PolarSurvey simulate_polar_survey(const CableNet& net, const Points& form,
                                   const PolarSimulation& simulation) {
     check_simulated(net, form, simulation.dropped_part);
     check_stations(simulation);
-    Dice dice(simulation.seed);
+    BoostRandom dice(simulation.seed);
     std::vector<int> free_nodes = seen_nodes(net, simulation.dropped_part, dice);
     if (!simulation.shuffled) {
         std::ranges::sort(free_nodes);

@@ -46,7 +46,7 @@ Identification identified(const CableNet& net, const Survey& survey,
 /// Each sample of the built net has the form and the tensions that the identification drew.
 void expect_same_samples(const CableNet& net, const Identification& found) {
     ASSERT_TRUE(found.draws.has_value());
-    ASSERT_EQ(found.draws->doubt, "");
+    ASSERT_EQ(found.draws->reason, "");
     const BuiltNet built = built_net_of(net, found);
     ASSERT_EQ(built.no_draws_because, "");
     for (int d = 0; d < found.draws->count(); ++d) {

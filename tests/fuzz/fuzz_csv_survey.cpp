@@ -25,7 +25,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     });
     fuzz::refuse_or_read([&] {
         for (const PolarObservation& reading :
-             parse_polar_csv(text, "readings.csv", 1.0).readings) {
+             parse_polar_csv(text, "readings.csv", 1.0).observations) {
             fuzz::require(reading.distance > 0.0 && reading.zenith >= 0.0);
         }
     });

@@ -12,9 +12,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const char* const name : {"survey.txt", "survey.xyz"}) {
         fuzz::refuse_or_read([&] {
             const ForeignSurvey survey = read_foreign_survey(bytes, name);
-            fuzz::require(!survey.points.empty() || !survey.readings.readings.empty());
-            for (const PolarObservation& reading : survey.readings.readings) {
-                fuzz::require(reading.station < std::ssize(survey.readings.stations));
+            fuzz::require(!survey.points.empty() || !survey.polar.observations.empty());
+            for (const PolarObservation& reading : survey.polar.observations) {
+                fuzz::require(reading.station < std::ssize(survey.polar.stations));
             }
             for (const SurveyPoint& point : survey.points) {
                 fuzz::require(point.position.allFinite());

@@ -185,7 +185,7 @@ TEST(UncertainParameter, IsReportedAsNotObservedWhereNothingShowsIt) {
     EXPECT_NEAR(by_form.uncertain[0].std, 0.05, 0.001);
     for (int edge = 0; edge < net.edge_count(); edge += 5) {
         const double tension = truth.tensions(edge);
-        options.forces.readings.push_back(
+        options.forces.measurements.push_back(
             {.edge = edge, .tension = tension, .std = 0.005 * tension});
     }
     const Identification by_cells = identify(net, truth.simulated.survey, options);
@@ -231,12 +231,12 @@ protected:
 TEST_F(ForceMeasurements, AreUsedWithTheirStandardDeviation) {
     const Identification without = found({});
     const Forces forces{
-        .readings = {measured(3, 0.001), measured(30, 0.001)}, .taut = {}, .slack = {}};
+        .measurements = {measured(3, 0.001), measured(30, 0.001)}, .taut = {}, .slack = {}};
     const Identification with = found(forces);
     ASSERT_FALSE(with.drawn.tensions.empty());
     EXPECT_EQ(with.force_measurements, 2);
     EXPECT_TRUE(with.force_outliers.empty());
-    for (const ForceMeasurement& force : forces.readings) {
+    for (const ForceMeasurement& force : forces.measurements) {
         const DrawnEstimate& before = without.drawn.tensions[force.edge].tension;
         const DrawnEstimate& after = with.drawn.tensions[force.edge].tension;
         EXPECT_NEAR(after.mean, force.tension, 4.0 * force.std);
@@ -247,7 +247,7 @@ TEST_F(ForceMeasurements, AreUsedWithTheirStandardDeviation) {
 }
 
 TEST_F(ForceMeasurements, AddWhatIsPredicted) {
-    Forces forces{.readings = {measured(3, 0.02), measured(30, 0.02), measured(50, 0.02)},
+    Forces forces{.measurements = {measured(3, 0.02), measured(30, 0.02), measured(50, 0.02)},
                   .taut = {},
                   .slack = {}};
     const PredictedPrecision precision = predicted_precision(
@@ -257,7 +257,7 @@ TEST_F(ForceMeasurements, AddWhatIsPredicted) {
                 0.25 * then.drawn.mean_tension.std);
     // And the next best edge holds what it promises, at the design.
     const TensionPrecision& best = precision.force_candidates.front();
-    forces.readings.push_back(
+    forces.measurements.push_back(
         {.edge = best.edge, .tension = best.tension, .std = 0.02 * best.tension});
     const PredictedPrecision next = predicted_precision(m_net, solve_equilibrium(m_net).form,
                                                         m_truth.simulated.survey, prior, forces);
@@ -268,16 +268,16 @@ TEST_F(ForceMeasurements, AddWhatIsPredicted) {
 TEST_F(ForceMeasurements, ThatContradictAllElseAreLeftOutAndNamed) {
     Forces forces;
     for (int edge = 0; edge < m_net.edge_count(); edge += 6) {
-        forces.readings.push_back(measured(edge, 0.01));
+        forces.measurements.push_back(measured(edge, 0.01));
     }
     const Identification sound = found(forces, 0);
     EXPECT_TRUE(sound.force_outliers.empty());
-    forces.readings[4].tension *= 3.0;
+    forces.measurements[4].tension *= 3.0;
     const Identification mended = found(forces, 0);
     ASSERT_EQ(mended.force_outliers.size(), 1U);
-    EXPECT_EQ(mended.force_outliers[0].edge, forces.readings[4].edge);
-    EXPECT_NEAR(mended.force_outliers[0].expected, m_truth.tensions(forces.readings[4].edge),
-                0.5 * m_truth.tensions(forces.readings[4].edge));
+    EXPECT_EQ(mended.force_outliers[0].edge, forces.measurements[4].edge);
+    EXPECT_NEAR(mended.force_outliers[0].expected, m_truth.tensions(forces.measurements[4].edge),
+                0.5 * m_truth.tensions(forces.measurements[4].edge));
     EXPECT_TRUE(mended.outliers.empty());  // no false alarm
 }
 
@@ -286,13 +286,13 @@ TEST_F(ForceMeasurements, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
     for (const double factor : {0.1, 0.7, 1.3}) {
         Forces forces;
         for (int edge = 0; edge < m_net.edge_count(); edge += 4) {
-            forces.readings.push_back(measured(edge, 0.02));
-            forces.readings.back().tension *= factor;
-            forces.readings.back().std *= factor;
+            forces.measurements.push_back(measured(edge, 0.02));
+            forces.measurements.back().tension *= factor;
+            forces.measurements.back().std *= factor;
         }
         const Identification result = found(forces, 100);
         ASSERT_TRUE(result.force_bias) << factor;
-        EXPECT_EQ(result.force_outliers.size(), forces.readings.size());
+        EXPECT_EQ(result.force_outliers.size(), forces.measurements.size());
         EXPECT_TRUE(result.outliers.empty());
         // Linearised, so for a small bias only: true tensions are 1 - part times those measured.
         if (factor > 0.5) {
@@ -307,13 +307,13 @@ TEST_F(ForceMeasurements, AreRefusedByMethodsThatDoNotUseThem) {
     IdentifyOptions options;
     options.prior = prior;
     options.method = IdentificationMethod::balance;
-    options.forces.readings = {measured(3, 0.02)};
+    options.forces.measurements = {measured(3, 0.02)};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
     options.forces = {};
     options.uncertain = {parse_uncertain_parameter("supports:1mm")};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
     options.method = IdentificationMethod::map;
-    options.forces.readings = {measured(3, 0.02), measured(3, 0.02)};
+    options.forces.measurements = {measured(3, 0.02), measured(3, 0.02)};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
 }
 

@@ -70,7 +70,7 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
     }
 }
 
-TEST(BestPossible, IsTheTextbookPosteriorVariance) {
+TEST(CramerRaoBound, IsTheTextbookPosteriorVariance) {
     const SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0004, 3);
     Survey survey = s.survey;
     hide(net_7x7, survey, net_7x7.free_nodes()[10]);

@@ -157,7 +157,7 @@ inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
     CableNetData data = net.data();
     data.nodes += deviation;
     const BuiltNet built{
-        .net = CableNet(data), .length_draws = {}, .perturbations = {}, .no_draws_since = ""};
+        .net = CableNet(data), .length_draws = {}, .perturbations = {}, .no_draws_because = ""};
     Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 0.015);
     limits.tension.lower.setConstant(1500.0);
     limits.tension.upper.setConstant(4000.0);
@@ -180,17 +180,17 @@ inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
     if (draws > 0) {
         plan.limit_probability = 0.93;
     }
-    plan.no_draws_since = draws > 0 ? "" : "it was made up";
+    plan.no_draws_because = draws > 0 ? "" : "it was made up";
     plan.has_converged = true;
     plan.breaches = {{.index = m - 1, .value = 4200.0, .limit = 4000.0, .probability = 0.0}};
     plan.normal_rmse_of_free_strokes = plan.planned.normal_rmse;
     const TurnOrder order{
-        .turnings = {{.edge = shorter, .stroke = -0.00375, .pass = 1, .crew = 1, .moment = 0},
-                     {.edge = longer, .stroke = 0.005, .pass = 1, .crew = 2, .moment = 0}},
+        .turnings = {{.edge = shorter, .stroke = -0.00375, .pass = 1, .crew = 1, .step = 0},
+                     {.edge = longer, .stroke = 0.005, .pass = 1, .crew = 2, .step = 0}},
         .passes = 1,
         .walk = 1.5,
         .is_safe = false,
-        .worst = {.moment = 0, .breach = plan.breaches.front()}};
+        .worst = {.step = 0, .breach = plan.breaches.front()}};
     PlanOptions options;
     options.turn = TurnSize{.pitch = 0.005, .smallest = 0.25};
     const Trust trust;
