@@ -107,7 +107,7 @@ TEST_F(PolarFile, TakesTheGivenPrecisionElseSaysWhichIsAssumed) {
 TEST_F(PolarFile, MatchesNamesOfItsOwnByPlace) {
     const Survey survey = read(polar_to_csv(polar(3, true)));
     EXPECT_TRUE(survey.is_whole());
-    EXPECT_THAT(survey.warnings, Contains(HasSubstr("matched by their place")));
+    EXPECT_THAT(survey.warnings, Contains(HasSubstr("matched by place")));
 }
 
 TEST_F(PolarFile, OfDegreesUnderAHeaderOfGonIsRefused) {
