@@ -186,7 +186,7 @@ void check_exact_form(Identification& result, const CableNet& net, const LengthP
 Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                          const LengthPrior& prior) {
     ExactForm exact(net, survey, prior);
-    Identification result{.method = "balance", .prior = prior};
+    Identification result{.method = "balance", .length_prior = prior};
     if (has_impossible_edge(result, net, exact.impossible_edge())) {
         return result;
     }
@@ -203,7 +203,7 @@ Identification check_exactness(const CableNet& net, const Survey& survey,
     const std::vector<bool> slack = slack_by_lengths(net, edge_lengths(net, survey.form), priors);
     const BalancedDeviations balanced =
         balanced_deviations(net, survey.form, BalanceEquations(net, survey.form, slack));
-    Identification result{.prior = prior};
+    Identification result{.length_prior = prior};
     if (has_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;
     }

@@ -119,7 +119,7 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
         at_survey != nullptr
             ? *at_survey
             : estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
-    Identification result{.method = "gp", .prior = model.prior};
+    Identification result{.method = "gp", .length_prior = model.prior};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const double mean = estimates.mean(i, 0);

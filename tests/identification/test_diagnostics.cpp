@@ -293,8 +293,8 @@ TEST(Diagnostics, OfAPriorThatIsTooNarrowOrOfAnotherShapeNamesIt) {
         EXPECT_TRUE(says(found, "uniform:5mm"));
         ASSERT_TRUE(found.contradicted_prior.has_value());
         EXPECT_EQ(found.contradicted_prior->checked, prior);
-        EXPECT_EQ(found.prior.kind, truth.kind);
-        EXPECT_NEAR(found.prior.scale, truth.scale, 0.15 * truth.scale);
+        EXPECT_EQ(found.length_prior.kind, truth.kind);
+        EXPECT_NEAR(found.length_prior.scale, truth.scale, 0.15 * truth.scale);
         EXPECT_GT(coverage(found, s.deviations), 0.92);
     }
 }
@@ -314,7 +314,7 @@ TEST(Diagnostics, OfABimodalPriorThatWasNotGivenNamesItAndAssumesNone) {
     EXPECT_GT(coverage(without, s.deviations), 0.9);
     const Identification given = identified(s.survey, bimodal);
     EXPECT_EQ(given.trust.verdict(), Trust::Verdict::passed) << given.trust.findings[0].reason;
-    EXPECT_EQ(given.prior.kind, LengthPrior::Kind::bimodal);
+    EXPECT_EQ(given.length_prior.kind, LengthPrior::Kind::bimodal);
 }
 
 TEST(Diagnostics, OfAPriorThatIsTooWideIsNone) {
@@ -327,7 +327,7 @@ TEST(Diagnostics, OfAPriorThatIsTooWideIsNone) {
         identify(net(), s.survey,
                  {.method = IdentificationMethod::map, .prior = prior, .prior_exact = true});
     EXPECT_TRUE(exact.prior.exact);
-    EXPECT_EQ(exact.prior, prior);
+    EXPECT_EQ(exact.length_prior, prior);
     EXPECT_NE(exact.trust.verdict(), Trust::Verdict::passed);
 }
 

@@ -67,7 +67,7 @@ TEST_F(Identify, ChoosesTheMethodThatSuitsTheSurveyAndSaysWhy) {
     const LengthModel model = model_of(m_net, {});
     const Identification gp = identify(m_net, noisy, {.model = &model});
     EXPECT_EQ(gp.method, "gp");
-    EXPECT_EQ(gp.prior, prior);
+    EXPECT_EQ(gp.length_prior, prior);
 }
 
 TEST_F(Identify, SaysSoWhereASurveyMarkedExactIsNot) {

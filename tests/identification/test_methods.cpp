@@ -55,7 +55,7 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
                     EXPECT_EQ(result.status, IdentificationStatus::converged);
                     method = result.method;
                     errors += squared_error(result, s.deviations);
-                    covered += coverage(result, s.deviations) / surveys;
+                    covered += test::coverage(result, s.deviations) / surveys;
                     best += best_possible_variances(net_7x7,
                                                     with_length_deviations(net_7x7, s.deviations),
                                                     s.truth.form, s.survey, prior)

@@ -75,7 +75,7 @@ Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int
             const double error = std::abs(edge.length_deviation - s.deviations(i));
             tally.far_off += edge.status != EdgeStatus::slack && error > 5.0 * edge.std ? 1 : 0;
         }
-        tally.inside += coverage(result, s.deviations) / surveys;
+        tally.inside += test::coverage(result, s.deviations) / surveys;
     }
     return tally;
 }
