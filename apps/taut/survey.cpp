@@ -168,7 +168,7 @@ void add_survey(CLI::App& program) {
         "  taut survey net.json built.csv --noise 0.5mm --drop 10% --shuffle --frame random "
         "-o survey.csv\n"
         "  taut survey net.json built.csv --station 2,-3,1.6 --station 2,6,1.6 --angle 0.3mgon "
-        "--range 1mm+1.5ppm -o readings.csv",
+        "--range 1mm+1.5ppm -o polar.csv",
         *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("FORM", options->form, "Form to survey: id,x,y,z in m")->required();

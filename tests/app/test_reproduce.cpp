@@ -103,7 +103,8 @@ TEST_F(Reproduce, KeepsTheDataSetAndTheModelWhenAskedToAndPrintsJson) {
     const LengthModel model = read_model(folder() / "a/new/directory/model.h5").model;
     EXPECT_EQ(model.training_count(), 42);
     EXPECT_EQ(model.net_fingerprint, hypar(3, 4).fingerprint());
-    EXPECT_EQ(reproduce("other", "--json"), read("other/results.json"));
+    const std::string printed = reproduce("other", "--json");
+    EXPECT_EQ(printed, read("other/results.json"));
     EXPECT_EQ(read("other/nodes.csv"), read("a/new/directory/nodes.csv"));
 }
 

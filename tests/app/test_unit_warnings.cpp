@@ -55,7 +55,7 @@ TEST_F(UnitWarnings, AreErrorsWhereNoUnitMakesANet) {
                                  {"form", "long.json"},
                                  {"sample", "long.json", "-n", "1", "-o", "data.h5"},
                                  {"export", "long.json", "--to", "obj", "-o", "net.obj"}}) {
-        expect_error(run(command), 2, "long.json: ");
+        expect_error(run(command), 2, "long.json:");
     }
 }
 
