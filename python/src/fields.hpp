@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// The fields of the structs that results are made of, in their order, and their names, "a, b, c":
-// for states.hpp and dicts.hpp. A list that does not name every field does not compile.
+// The fields of the structs that results are made of, in their order, with the names that they have
+// in Python: for states.hpp and dicts.hpp. A list that leaves out a field does not compile.
 #pragma once
 
 #include <concepts>
@@ -57,7 +57,7 @@ TAUT_FIELDS(ControlResidual, id, residual)
 TAUT_FIELDS(Registration, motion, residuals)
 TAUT_FIELDS(Survey, form, noise_std, noise_correlations, surveyed, missing, supports,
             frame_is_unknown, unmatched, frame, warnings, placed, contradicted_names, notes,
-            tells_noise, scale_std, rounding_std)
+            gives_noise, scale_std, rounding_std)
 TAUT_FIELDS(EdgeTurned, edge, stroke, std)
 
 // gp
@@ -70,14 +70,14 @@ TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights)
 
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
-TAUT_FIELDS(ForceOutlier, edge, read, expected, statistic)
+TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic)
 TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
             is_swapped)
-TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, rival)
+TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, confounded_with)
 TAUT_FIELDS(ForceBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths)
-TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, beyond)
+TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)
 TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature)
 TAUT_FIELDS(PriorNode, prior, weight)
 TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, adjustable,
@@ -86,7 +86,7 @@ TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, comm
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
 TAUT_FIELDS(ModelPerturbations, stiffness, thermal, supports, loads)
 TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, perturbations, forms,
-            tensions, seed, how, is_refitted, doubt)
+            tensions, seed, how, is_refitted, reason)
 TAUT_FIELDS(DrawnEstimate, mean, std, lower, upper)
 TAUT_FIELDS(DrawnTension, edge, tension, slack_probability)
 TAUT_FIELDS(DrawnPlace, node, mean, std, lower, upper)
@@ -105,21 +105,21 @@ TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_of
             stroke_factor_std, trust)
 TAUT_FIELDS(Identification, method, method_reason, how, length_prior, prior, status, message, edges,
             predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
-            length_outliers, boundary_outliers, boundary_beyond, detectable, noise_scale,
-            frame_offset, scales, prior_check, frame_check, contradicted_prior, prior_was_told,
-            readings, reading_outliers, reading_bias, contradicted_taut, contradicted_slack,
+            length_outliers, boundary_outliers, boundary_not_released, detectable, noise_scale,
+            frame_offset, scales, prior_check, frame_check, contradicted_prior, prior_was_given,
+            force_measurements, force_outliers, force_bias, contradicted_taut, contradicted_slack,
             assumptions, uncertain, draws, epochs, turned, trust, length_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, as_in_paper,
             nominal_form, input_scales, length_deviations, processes, form_prior)
 TAUT_FIELDS(EdgePrecision, edge, std, status)
-TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_with_reading)
-TAUT_FIELDS(PredictedPrecision, prior_std, edges, mean_tension, mean_tension_std, readings)
+TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_with_measurement)
+TAUT_FIELDS(PredictedPrecision, prior_std, edges, mean_tension, mean_tension_std, measurements)
 
 // adjustment
 TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads)
-TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_since, failed_since)
+TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_because, failed_because)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)
 TAUT_FIELDS(LoadCase, name, loads, tension)
@@ -131,15 +131,17 @@ TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, surve
 TAUT_FIELDS(PlannedStroke, edge, stroke)
 TAUT_FIELDS(LimitBreach, kind, index, load_case, value, limit, probability)
 TAUT_FIELDS(FurtherTarget, node, normal_std)
+TAUT_FIELDS(FurtherEdge, edge, stroke, normal_rmse_after)
 TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
-TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, further_targets, form,
-            form_std, tensions, tension_lower, tension_upper, held, draws, no_draws_since,
-            limit_probability, is_feasible, has_converged, breaches, normal_rmse_of_free_strokes,
-            is_within_tolerance, fewest_bound, iterations)
-TAUT_FIELDS(Turning, edge, stroke, pass, crew, moment)
-TAUT_FIELDS(WorstMoment, moment, breach)
-TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)
-TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, crews, thread)
+TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggested_targets, form,
+            form_std, tensions, tension_lower, tension_upper, effective_limits, draws,
+            no_draws_because, limit_probability, is_feasible, has_converged, breaches,
+            normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
+TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
+TAUT_FIELDS(WorstMoment, step, breach)
+TAUT_FIELDS(TurnOrder, turns, passes, walk, safe_probability, is_safe, worst)
+TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, suggested_adjustable,
+            crews, thread)
 
 #undef TAUT_FIELDS
 
