@@ -239,7 +239,9 @@ def test_what_the_schema_allows_is_taken_or_refused_in_one_line(part, tmp_path):
 # What identify finds.
 
 
-def surveyed(folder, change=None, *words, prior="uniform:2mm", noise="0.5mm", seed=4, name="survey"):
+def surveyed(
+    folder, change=None, *words, prior="uniform:2mm", noise="0.5mm", seed=4, name="survey"
+):
     """A survey of the net as built, with the lengths and supports that are not as designed."""
     net = read(folder / "net.json")
     if change:

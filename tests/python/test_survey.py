@@ -192,7 +192,9 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
     found = taut.identify(net, survey, prior="uniform:5mm", prior_exact=True, uncertain=["none"])
     assert found.findings
     assert all("--" not in f["next"] + f["reason"] for f in found.findings)
-    assert any("prior='" in f["next"] and f["remedy"]["parameter"] == "prior" for f in found.findings)
+    assert any(
+        "prior='" in f["next"] and f["remedy"]["parameter"] == "prior" for f in found.findings
+    )
     [noise] = [f for f in found.findings if f["kind"] == "survey_noise"]
     assert f"noise={noise['remedy']['value']:.6g}" in noise["next"]
     again = taut.read_survey(
