@@ -219,11 +219,21 @@ void bind_survey(nb::module_& module) {
         "_survey_of_points",
         [](const CableNet& net, const ArrayLike& positions,
            const std::optional<std::vector<std::string>>& ids, const std::optional<ArrayLike>& stds,
-           std::optional<double> noise, const Given& given) {
-            return read_survey(net, points_of(positions, ids, stds), options_of(noise, given));
+           bool in_metres, std::optional<double> noise, const Given& given) {
+            const ReadSurveyOptions options = options_of(noise, given);
+            std::vector<SurveyPoint> points = points_of(positions, ids, stds);
+            if (in_metres && options.unit) {
+                // read_survey() takes them in the unit of the coordinates.
+                for (SurveyPoint& point : points) {
+                    if (point.noise_std) {
+                        *point.noise_std /= *options.unit;
+                    }
+                }
+            }
+            return read_survey(net, points, options);
         },
         nb::arg("net"), nb::arg("positions"), nb::arg("ids").none(), nb::arg("stds").none(),
-        nb::arg("noise").none(), nb::arg("given"));
+        nb::arg("in_metres"), nb::arg("noise").none(), nb::arg("given"));
     module.def(
         "simulate_survey",
         [](const CableNet& net, const ArrayLike& form, double noise, double hidden_part,

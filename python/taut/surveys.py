@@ -178,6 +178,8 @@ def read_survey(
     if stds is not None and noise is not None:
         raise ValueError("noise: is given by the columns sx, sy, sz of source, too: leave out one")
     count = np.shape(positions)[0] if np.ndim(positions) else 0
-    if stds is None:
+    in_metres = stds is None  # columns are in the unit of the coordinates
+    if in_metres:
         noise, stds = _noise(noise, count)
-    return _taut._survey_of_points(net, positions, _names(ids, count), stds, noise, given)
+    names = _names(ids, count)
+    return _taut._survey_of_points(net, positions, names, stds, in_metres, noise, given)

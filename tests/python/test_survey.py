@@ -93,7 +93,7 @@ masked = np.ma.masked_array(three[0], mask=True)
         (three, {"ids": ["a", "b", "c"]}, ValueError, "0 of 3 targets"),
         (three, {"ids": 3}, TypeError, "ids: got int"),
         (three, {"ids": "abc"}, TypeError, "ids: got str"),
-        (three, {"noise": [[1, 1, 1], [1, 0, 1], [1, 1, 1]]}, ValueError, "points:2: gives no stand"),
+        (three, {"noise": [[1, 1, 1], [1, 0, 1], [1, 1, 1]]}, ValueError, "points:2: gives no"),
         (three, {"noise": "1mm"}, TypeError, "noise: got '1mm', expected a number"),
         (two, {"noise": np.nan}, ValueError, "nan"),
         (two, {"frame": "mine"}, ValueError, "frame: got 'mine'"),
