@@ -439,7 +439,7 @@ void bind_predicted_precision(nb::module_& module) {
          {"mean_tension_std", "Its standard deviation after the survey [N]."},
          {"measurements",
           "Force measurements that would help, the best first. Of each: edge, tension and its std "
-          "[N], mean_std_with_measurement, mean_tension_std with this one as well [N]."}});
+          "[N], mean_std_if_measured, mean_tension_std with this one as well [N]."}});
     precision
         .def_prop_ro(
             "edge", [](const PredictedPrecision& self) { return edges_of_each(self.edges); },

@@ -57,7 +57,7 @@ TAUT_FIELDS(ControlResidual, id, residual)
 TAUT_FIELDS(Registration, motion, residuals)
 TAUT_FIELDS(Survey, form, noise_std, noise_correlations, surveyed, missing, supports,
             frame_is_unknown, unmatched, frame, warnings, placed, contradicted_names, notes,
-            gives_noise, scale_std, rounding_std)
+            has_own_noise, scale_std, rounding_std)
 TAUT_FIELDS(EdgeTurned, edge, stroke, std)
 
 // gp
@@ -114,7 +114,7 @@ TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, as_in_paper,
             nominal_form, input_scales, length_deviations, processes, form_prior)
 TAUT_FIELDS(EdgePrecision, edge, std, status)
-TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_with_measurement)
+TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_if_measured)
 TAUT_FIELDS(PredictedPrecision, prior_std, edges, mean_tension, mean_tension_std, measurements)
 
 // adjustment
