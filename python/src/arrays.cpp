@@ -29,7 +29,7 @@ std::string shape_text(const auto& array) {
         fmt::format("{}: got shape {}, expected {}", name, shape_text(array), expected).c_str());
 }
 
-/// What numpy.asarray() would take for numbers.
+/// numpy.asarray() would take what is masked for numbers.
 void refuse_masked(nb::handle value, std::string_view name) {
     if (nb::hasattr(value, "mask") &&
         nb::cast<bool>(nb::module_::import_("numpy.ma").attr("is_masked")(value))) {

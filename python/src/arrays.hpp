@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// NumPy arrays in and out. In: copied, so that whoever changes an array during a call changes
-// nothing of it; wrong shapes and dtypes are told by the name of the argument. Out: read-only views
-// of what an object holds, which keep it alive, or arrays that own what was moved into them. A form
-// is an array of a row a node (n, 3) here and a column a node in C++: the same numbers in the same
-// order.
+// NumPy arrays in and out. In: copied, so that a change of the array during a call has no effect.
+// Errors of shape and dtype name the argument. Out: read-only views of what an object holds, which
+// keep it alive, or arrays that own what was moved into them. A form has a row for each node here,
+// (n, 3), and a column for each node in C++: the same numbers in the same order.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -15,9 +14,12 @@
 #include <nanobind/stl/vector.h>
 
 #include <Eigen/Core>
+#include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -26,7 +28,7 @@ namespace taut::python {
 
 namespace nb = nanobind;
 
-/// An argument that numpy.asarray() makes an array of; its functions below say which.
+/// An argument that numpy.asarray() makes an array of; the functions below give its shape.
 class ArrayLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
     NB_OBJECT(ArrayLike, nb::object, "numpy.typing.ArrayLike", is_any)
@@ -67,13 +69,13 @@ class IndexArray : public nb::object {
 [[nodiscard]] Eigen::VectorXd vector_or_number(nb::handle value, std::string_view name,
                                                Eigen::Index count);
 
-/// (k, d) as d x k: a row a sample here, a column in C++.
+/// (k, d) as d x k: a sample is a row here, a column in C++.
 /// @throws nb::value_error for another shape
 [[nodiscard]] Eigen::MatrixXd columns_argument(nb::handle value, std::string_view name);
 
 /// Whole numbers (n,), in any sequence.
-/// @throws nb::type_error for what is no sequence of whole numbers, nb::value_error for one beyond
-///   int
+/// @throws nb::type_error for what is no sequence of whole numbers, nb::value_error for one that
+///   an int cannot hold
 [[nodiscard]] std::vector<int> indices_argument(nb::handle value, std::string_view name);
 
 /// Pairs of whole numbers (m, 2).
@@ -97,5 +99,27 @@ class IndexArray : public nb::object {
 [[nodiscard]] Array array_of_columns(Eigen::MatrixXd matrix);
 [[nodiscard]] Array array_of(const Eigen::Vector3d& place);
 [[nodiscard]] IndexArray array_of(std::vector<int> indices);
+
+/// A number of each element, (n,).
+/// @param get a member, or a function of an element
+template <class Range, class Get>
+[[nodiscard]] Array array_of_each(const Range& range, Get get) {
+    Eigen::VectorXd values(std::ssize(range));
+    Eigen::Index i = 0;
+    for (const auto& one : range) {
+        values(i++) = std::invoke(get, one);
+    }
+    return array_of(std::move(values));
+}
+
+/// The edge of each element, (n,).
+template <class Range>
+[[nodiscard]] IndexArray edges_of_each(const Range& range) {
+    std::vector<int> edges;
+    for (const auto& one : range) {
+        edges.push_back(one.edge);
+    }
+    return array_of(std::move(edges));
+}
 
 }  // namespace taut::python

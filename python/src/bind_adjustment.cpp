@@ -19,12 +19,15 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "dicts.hpp"
 #include "documents.hpp"
+#include "given.hpp"
 #include "identified.hpp"
 #include "planned.hpp"
 #include "states.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
+#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
@@ -34,7 +37,7 @@
 namespace taut::python {
 namespace {
 
-/// What plan_to_json(), plan_to_csv() or plan_warnings() tell of a plan.
+/// What plan_to_json(), plan_to_csv() or plan_warnings() make of a plan.
 template <class Write>
 auto written(const Planned& planned, Write write) {
     const FormTarget target(planned.net, planned.target);
@@ -46,7 +49,7 @@ auto written(const Planned& planned, Write write) {
                             .options = &planned.options,
                             .plan = &planned.plan,
                             .order = &planned.order,
-                            .further = {},
+                            .further = planned.suggested_adjustable,
                             .crews = planned.crews,
                             .thread = planned.thread});
 }
@@ -87,13 +90,15 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
                 const std::optional<Range>& tension, const std::optional<ArrayLike>& edges,
                 const std::optional<double>& turn, const std::optional<double>& step,
                 const std::optional<double>& tolerance, double confidence, double actuator_std,
-                int crews, const std::optional<std::string>& thread, bool accept_failed,
+                int crews, const std::optional<std::string>& thread, int suggest_adjustable,
+                const std::optional<double>& suggest_targets, bool accept_failed,
                 const nb::object& progress) {
     const CableNet& net = identified.net;
     PlanOptions options{.edges = edges ? indices_argument(*edges, "edges") : net.adjustable_edges(),
                         .confidence = confidence,
                         .actuator_std = actuator_std,
                         .tolerance = tolerance,
+                        .survey_noise = suggest_targets,
                         .accept_failed = accept_failed};
     if (edges && options.edges.empty()) {
         throw nb::value_error("edges: got none, expected those that may be turned");
@@ -102,30 +107,34 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
     if (turn) {
         options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
     } else if (step) {
-        throw nb::value_error("step: is a part of a turn, and turn is not told");
+        throw nb::value_error("step: is a part of a turn, and turn is not given");
     }
     Limits limits = limits_of_stroke(net, options.edges.size(), stroke);
     limits.tension = tension_limits(net, tension);
     const FormTarget form(
         net, target ? points_argument(*target, "target", net.node_count()) : net.nodes());
-    std::optional<Thread> threads;
-    if (thread) {
-        if (*thread != "right" && *thread != "left") {
-            throw nb::value_error(
-                fmt::format("thread: got '{}', expected 'right' or 'left'", *thread).c_str());
-        }
-        threads = *thread == "right" ? Thread::right : Thread::left;
+    const std::optional<Thread> threads =
+        thread ? std::optional(thread_named(*thread)) : std::nullopt;
+    if (suggest_adjustable < 0) {
+        throw nb::value_error(
+            fmt::format("suggest_adjustable: got {}, expected 0 or more", suggest_adjustable)
+                .c_str());
     }
-    return interruptible(progress, [&](const Progress& told) {
+    return interruptible(progress, [&](const Progress& reporter) {
         BuiltNet built = built_net_of(net, identified.found);
-        Plan plan = plan_on(built, form, limits, options, told);
+        Plan plan = plan_on(built, form, limits, options, reporter);
         TurnOrder order = order_turns(built, limits, plan,
                                       {.crews = crews,
                                        .turn_step = options.turn ? options.turn->step() : 0.0,
                                        .confidence = options.confidence,
                                        .actuator_std = options.actuator_std,
                                        .seed = options.seed},
-                                      told);
+                                      reporter);
+        std::optional<std::vector<FurtherEdge>> suggested;
+        if (suggest_adjustable > 0) {
+            suggested =
+                further_edges(built, form, limits, options, plan, suggest_adjustable, reporter);
+        }
         return Planned{.net = net,
                        .built = std::move(built),
                        .trust = identified.found.trust,
@@ -134,86 +143,104 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
                        .options = options,
                        .plan = std::move(plan),
                        .order = std::move(order),
+                       .suggested_adjustable = std::move(suggested),
                        .crews = crews,
                        .thread = threads};
     });
 }
 
-nb::dict deviation_dict(const FormDeviation& of) {
-    nb::dict dict;
-    dict["mean"] = of.mean;
-    dict["max"] = of.max;
-    dict["rmse"] = of.rmse;
-    dict["normal_mean"] = of.normal_mean;
-    dict["normal_max"] = of.normal_max;
-    dict["normal_rmse"] = of.normal_rmse;
-    return dict;
-}
-
 void bind_plan(nb::module_& module) {
     nb::class_<Planned> result(
-        module, "Plan", "Which turnbuckle to turn how far, in which order, and what comes of it.");
+        module, "Plan",
+        "Which turnbuckle to turn how far, in which order, and the form and tensions that follow.");
     make_picklable(result);
+    bind_fields<Plan>(
+        result, &Planned::plan,
+        {{"as_built",
+          "Deviation from the target before anything is turned [m]: mean, max and rmse in 3D, "
+          "normal_mean, normal_max and normal_rmse along the normal of the target."},
+         {"planned", "The same after all strokes [m]."},
+         {"unconstrained", "The same after strokes without limits, no edge slack [m]."},
+         {"normal_std",
+          "Standard deviation of the planned form along the normal, root mean square over the "
+          "nodes; 0 without posterior samples [m]."},
+         {"suggested_targets",
+          "Targets whose survey would tell most of the planned form, the best first, at most ten; "
+          "empty without suggest_targets. Of each: node, and normal_std after a survey of this and "
+          "those before it [m]."},
+         {"form_std",
+          "Standard deviations of the planned form (n, 3); 0 without posterior samples [m]."},
+         {"tension_lower",
+          "Lower ends of the 95 % intervals of the planned tensions (m,); empty without posterior "
+          "samples [N]."},
+         {"tension_upper", "Upper ends of the same (m,) [N]."},
+         {"effective_limits",
+          "The limits given less the margin for uncertainty [N]: of the net's loads, then of each "
+          "load case, lower and upper of each force, reactions behind tensions."},
+         {"draws", "Number of posterior samples in which limits were kept; 0: the estimate alone."},
+         {"no_draws_because", "Why there are no posterior samples; else empty."},
+         {"limit_probability",
+          "Probability that all limits are kept; None without posterior samples."},
+         {"is_feasible", "Whether all limits are kept, with the confidence required."},
+         {"has_converged", "Whether the search for strokes converged."},
+         {"breaches",
+          "Limits that are broken, or not surely kept, the worst first. Of each: kind ('tension' "
+          "of an edge, 'reaction' of a support), index, load_case, value and limit [N], "
+          "probability that it is kept."},
+         {"normal_rmse_of_free_strokes",
+          "normal_rmse that strokes would leave that are no whole steps [m]."},
+         {"is_within_tolerance", "Whether the tolerance is reached; None without."},
+         {"fewest_bound",
+          "Number of edges below which, to first order, the tolerance cannot be reached; None "
+          "without."},
+         {"iterations", "Steps of the search for strokes."}});
     result
         .def_prop_ro(
-            "edges",
-            [](const Planned& self) {
-                std::vector<int> edges;
-                for (const PlannedStroke& stroke : self.plan.strokes) {
-                    edges.push_back(stroke.edge);
-                }
-                return array_of(std::move(edges));
-            },
-            "That are turned.")
+            "edges", [](const Planned& self) { return edges_of_each(self.plan.strokes); },
+            "Edges that are turned, ascending (k,).")
         .def_prop_ro(
             "strokes",
             [](const Planned& self) {
-                Eigen::VectorXd strokes(std::ssize(self.plan.strokes));
-                for (Eigen::Index i = 0; i < strokes.size(); ++i) {
-                    strokes(i) = self.plan.strokes[static_cast<size_t>(i)].stroke;
-                }
-                return array_of(std::move(strokes));
+                return array_of_each(self.plan.strokes, &PlannedStroke::stroke);
             },
-            "Change of the unstressed length of each, positive lengthens [m].")
-        .def_prop_ro(
-            "is_feasible", [](const Planned& self) { return self.plan.is_feasible; },
-            "Whether all limits are kept, with the confidence wanted.")
-        .def_prop_ro(
-            "is_safe", [](const Planned& self) { return self.order.is_safe; },
-            "Whether no step of the work breaks a limit that was kept before, with the confidence "
-            "wanted.")
-        .def_prop_ro(
-            "safe_probability", [](const Planned& self) { return self.order.safe_probability; },
-            "That no step of the work breaks a limit that was kept before, over the draws; 0 or 1 "
-            "without draws.")
-        .def_prop_ro(
-            "warnings", [](const Planned& self) { return written(self, &plan_warnings); },
-            "What forbids to turn by the plan, the worst first: the first lines of its lists.")
-        .def_prop_ro(
-            "limit_probability", [](const Planned& self) { return self.plan.limit_probability; },
-            "That all limits are kept, over the draws; None without.")
-        .def_prop_ro(
-            "as_built", [](const Planned& self) { return deviation_dict(self.plan.as_built); },
-            "Distance from the target [m].")
-        .def_prop_ro(
-            "planned", [](const Planned& self) { return deviation_dict(self.plan.planned); },
-            "Distance from the target then [m].")
+            "Change of the unstressed length of each (k,), positive lengthens [m].")
         .def_prop_ro(
             "form",
             [](nb::handle_t<Planned> self) {
                 return view_of(nb::cast<const Planned&>(self).plan.form, self);
             },
-            "Planned (n, 3) [m].")
+            "Planned form (n, 3) [m].")
         .def_prop_ro(
             "tension",
             [](nb::handle_t<Planned> self) {
                 return view_of(nb::cast<const Planned&>(self).plan.tensions, self);
             },
-            "Planned (m,) [N].")
+            "Planned tensions (m,) [N].")
+        .def_prop_ro(
+            "order", [](const Planned& self) { return in_python_types(self.order); },
+            "Order of the work: turns, of each its edge, stroke [m], pass, crew and step (turns of "
+            "one step are made at once); passes; walk of all crews [m]; safe_probability and "
+            "is_safe; worst, the step (-1: none) with the worst breach of a limit.")
+        .def_prop_ro(
+            "suggested_adjustable",
+            [](const Planned& self) { return in_python_types(self.suggested_adjustable); },
+            "Edges that would help most if they were made adjustable, each with those before it: "
+            "edge, stroke and normal_rmse_after [m]; None without suggest_adjustable.")
+        .def_prop_ro(
+            "is_safe", [](const Planned& self) { return self.order.is_safe; },
+            "Whether no step of the work breaks a limit that was kept before, with the confidence "
+            "required.")
+        .def_prop_ro(
+            "safe_probability", [](const Planned& self) { return self.order.safe_probability; },
+            "Probability that no step of the work breaks a limit that was kept before; 0 or 1 "
+            "without posterior samples.")
+        .def_prop_ro(
+            "warnings", [](const Planned& self) { return written(self, &plan_warnings); },
+            "Why the plan must not be carried out, the worst first: the first lines of its lists.")
         .def_ro("net", &Planned::net, "As designed.")
         .def_prop_ro(
             "trust", [](const Planned& self) { return to_string(self.trust.verdict()); },
-            "Of the identification that it stands on: 'passed', 'doubtful' or 'failed'.")
+            "Of the identification: 'passed', 'doubtful' or 'failed'.")
         .def(
             "to_dataframe",
             [](nb::handle_t<Planned> self) {
@@ -225,7 +252,7 @@ void bind_plan(nb::module_& module) {
              [](nb::handle_t<Planned> self) {
                  return of_package("taut.notebook", "result_html")(self);
              })
-        .def("to_csv", &plan_csv, "The list that a crew works from.")
+        .def("to_csv", &plan_csv, "The list for the crews, as CSV.")
         .def("to_json", &plan_json, "What plan.json holds.")
         .def(
             "to_dict", [](const Planned& self) { return dict_of(plan_json(self)); },
@@ -242,11 +269,11 @@ void bind_plan(nb::module_& module) {
                 write_files(files);
             },
             nb::arg("path"), nb::arg("csv") = nb::none(),
-            "Writes plan.json, and the crews' list where a name is told for it.")
+            "Writes plan.json, and to csv the list for the crews.")
         .def("__repr__", [](const Planned& self) {
             return fmt::format(
-                "Plan({} of {} edges, by at most {:.2f} mm; {}; along the normal "
-                "{:.2f} mm RMS, {:.2f} mm as built{})",
+                "Plan({} of {} edges, by at most {:.2f} mm; {}; along the normal {:.2f} mm RMS, "
+                "{:.2f} mm as built{})",
                 self.plan.strokes.size(), self.options.edges.size(),
                 1e3 * self.plan.largest_stroke(),
                 self.plan.is_feasible ? "limits are kept" : "LIMITS ARE BROKEN",
@@ -266,25 +293,29 @@ void bind_adjustment(nb::module_& module) {
                nb::arg("edges") = nb::none(), nb::arg("turn") = nb::none(),
                nb::arg("step") = nb::none(), nb::arg("tolerance") = nb::none(),
                nb::arg("confidence") = 0.95, nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1,
-               nb::arg("thread") = nb::none(), nb::arg("accept_failed") = false,
+               nb::arg("thread") = nb::none(), nb::arg("suggest_adjustable") = 0,
+               nb::arg("suggest_targets") = nb::none(), nb::arg("accept_failed") = false,
                nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
 Args:
-    identification: of identify(), with its draws.
-    target: form to come near to (n, 3); the nominal one unless told [m].
-    stroke: of each edge, at most, either way [m].
-    tension: (least, most) that every edge must keep to, either may be None [N].
-    edges: that may be turned; the adjustable ones unless told.
+    identification: of identify(), with its posterior samples.
+    target: form to approach (n, 3), by default the nominal one [m].
+    stroke: longest stroke of each edge, either way [m].
+    tension: (least, most) of every edge; either may be None [N].
+    edges: that may be turned, by default the adjustable ones.
     turn: change of length by one turn [m].
-    step: smallest part of a turn that can be done, 0.25 say.
-    tolerance: turn the fewest edges with which the form comes so near [m].
-    confidence: with which limits are to hold over the draws.
-    actuator_std: of what is turned, from what was told [m].
-    crews: that turn at once.
-    thread: 'right' or 'left', of all turnbuckles, where the net does not tell.
-    accept_failed: plan on an identification that failed its tests, too; the lists say in their
-        first line that they are not to be used.
+    step: smallest part of a turn that a crew can do, 0.25 say.
+    tolerance: turn the fewest edges that bring the normal deviation below this [m].
+    confidence: required probability that all limits are kept.
+    actuator_std: standard deviation of a stroke from the one planned [m].
+    crews: number that work at the same time.
+    thread: 'right' or 'left', of all turnbuckles, in place of what the net gives.
+    suggest_adjustable: number of edges to suggest that would help if they were adjustable.
+    suggest_targets: suggest targets to survey before turning, each measured with this standard
+        deviation [m].
+    accept_failed: plan on an identification that failed its checks, too; the first line of the
+        lists then says that they must not be used.
     progress: called with stage, done, total.)");
 }
 

@@ -19,16 +19,10 @@
 namespace taut::python {
 namespace {
 
-/// A number of each process.
+/// A number of each process (m,).
 template <class Get>
 auto of_processes(Get get) {
-    return [get](const gp::FittedProcesses& self) {
-        Eigen::VectorXd values(std::ssize(self.processes));
-        for (Eigen::Index i = 0; i < values.size(); ++i) {
-            values(i) = get(self.processes[static_cast<size_t>(i)]);
-        }
-        return array_of(std::move(values));
-    };
+    return [get](const gp::FittedProcesses& self) { return array_of_each(self.processes, get); };
 }
 
 /// Of the latent function of one output.
@@ -47,8 +41,8 @@ Eigen::MatrixXd covariance(const gp::FittedProcesses& fitted, int output,
     if (process.status != gp::FitStatus::fitted) {
         return Eigen::MatrixXd::Zero(at.cols(), at.cols());
     }
-    // sigma_f^2 (R** - R*' Q (D + eta)^-1 Q' R*), with R = Q D Q'; what a spectrum leaves out is
-    // taken for noise, as in prediction (low-rank-variance).
+    // sigma_f^2 (R** - R*' Q (D + eta)^-1 Q' R*), with R = Q D Q'; what a spectrum leaves out
+    // counts as noise, as in prediction (low-rank-variance).
     const auto& [lambda, signal, noise] = process.hyperparameters;
     const gp::KernelSpectrum& spectrum = fitted.spectra[static_cast<size_t>(process.spectrum)];
     const double ratio = std::pow(noise / signal, 2) + spectrum.tail_largest;
@@ -69,7 +63,7 @@ Eigen::MatrixXd covariance(const gp::FittedProcesses& fitted, int output,
 
 /// In blocks, between which Ctrl-C is noticed.
 gp::Prediction predict(const gp::FittedProcesses& fitted, const Eigen::MatrixXd& at,
-                       const Progress& told) {
+                       const Progress& reporter) {
     static constexpr Eigen::Index block = 1024;
     if (at.cols() <= block) {
         return fitted.predict(at);
@@ -78,7 +72,7 @@ gp::Prediction predict(const gp::FittedProcesses& fitted, const Eigen::MatrixXd&
     gp::Prediction all{.mean = Eigen::MatrixXd(outputs, at.cols()),
                        .std = Eigen::MatrixXd(outputs, at.cols())};
     for (Eigen::Index first = 0; first < at.cols(); first += block) {
-        told.throw_if_stopped();
+        reporter.throw_if_stopped();
         const Eigen::Index count = std::min(block, at.cols() - first);
         const gp::Prediction part = fitted.predict(at.middleCols(first, count));
         all.mean.middleCols(first, count) = part.mean;
@@ -107,24 +101,20 @@ void bind_gp(nb::module_& module) {
                          return of.hyperparameters.noise_std;
                      }),
                      "sigma_w (m,).")
-        .def_prop_ro("negative_log_likelihood",
-                     of_processes([](const gp::Process& of) { return of.negative_log_likelihood; }),
+        .def_prop_ro("negative_log_likelihood", of_processes(&gp::Process::negative_log_likelihood),
                      "(m,).")
-        .def_prop_ro("leave_one_out_rmse",
-                     of_processes([](const gp::Process& of) { return of.leave_one_out_rmse; }),
+        .def_prop_ro("leave_one_out_rmse", of_processes(&gp::Process::leave_one_out_rmse),
                      "Of the mean at each training input, trained without it (m,).")
-        .def_prop_ro(
-            "approximation_error",
-            of_processes([](const gp::Process& of) { return of.approximation_error; }),
-            "By low rank: bound of what the mean is off from the exact one with the same "
-            "hyperparameters, root mean square over the training inputs; else 0 (m,). Standard "
-            "deviations and leave-one-out errors contain it.")
+        .def_prop_ro("approximation_error", of_processes(&gp::Process::approximation_error),
+                     "By low rank: bound of what the mean is off from the exact one with the same "
+                     "hyperparameters, root mean square over the training inputs; else 0 (m,). "
+                     "Standard deviations and leave-one-out errors contain it.")
         .def_prop_ro("rank", &gp::FittedProcesses::rank,
                      "Directions of the kernel matrix that were kept; None where all are.")
-        .def_prop_ro("left_out", &gp::FittedProcesses::left_out,
-                     "Part of the kernel matrix, of its trace, that these directions leave out. "
-                     "Where it is larger than that of the noise, signal is taken for noise: the "
-                     "rank is too low.")
+        .def_prop_ro(
+            "left_out", &gp::FittedProcesses::left_out,
+            "Part of the kernel matrix, of its trace, that these directions leave out. Where it is "
+            "larger than that of the noise, signal counts as noise: the rank is too low.")
         .def_prop_ro(
             "status",
             [](const gp::FittedProcesses& self) {
@@ -139,8 +129,9 @@ void bind_gp(nb::module_& module) {
             "predict",
             [](const gp::FittedProcesses& self, const ArrayLike& inputs) {
                 const Eigen::MatrixXd at = columns_argument(inputs, "inputs");
-                gp::Prediction made = interruptible(
-                    nb::none(), [&](const Progress& told) { return predict(self, at, told); });
+                gp::Prediction made = interruptible(nb::none(), [&](const Progress& reporter) {
+                    return predict(self, at, reporter);
+                });
                 return nb::make_tuple(array_of_columns(std::move(made.mean)),
                                       array_of_columns(std::move(made.std)));
             },
@@ -169,8 +160,9 @@ void bind_gp(nb::module_& module) {
             settings.max_spectra = max_spectra;
             settings.most_decomposed = most_decomposed;
             settings.rank = rank;
-            return interruptible(
-                progress, [&](const Progress& told) { return gp::fit(x, y, settings, told); });
+            return interruptible(progress, [&](const Progress& reporter) {
+                return gp::fit(x, y, settings, reporter);
+            });
         },
         nb::arg("inputs"), nb::arg("outputs"), nb::kw_only(),
         nb::arg("relative_tolerance") = gp::FitSettings().relative_tolerance,

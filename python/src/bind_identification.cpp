@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,13 +40,14 @@
 namespace taut::python {
 namespace {
 
-using Readings = std::vector<std::tuple<int, double, double>>;
+/// Edge, value, standard deviation: a measured tension [N], or a stroke [m].
+using OfEdges = std::vector<std::tuple<int, double, double>>;
 
-Forces forces_told(const CableNet& net, const Readings& readings,
-                   const std::optional<ArrayLike>& taut_edges,
-                   const std::optional<ArrayLike>& slack_edges) {
+Forces forces_given(const CableNet& net, const OfEdges& measured,
+                    const std::optional<ArrayLike>& taut_edges,
+                    const std::optional<ArrayLike>& slack_edges) {
     Forces forces;
-    for (const auto& [edge, tension, std] : readings) {
+    for (const auto& [edge, tension, std] : measured) {
         forces.measurements.push_back({.edge = edge, .tension = tension, .std = std});
     }
     if (taut_edges) {
@@ -58,27 +60,24 @@ Forces forces_told(const CableNet& net, const Readings& readings,
     return forces;
 }
 
-/// One number of each interior edge.
+/// Numbers of each interior edge.
 auto of_edges(double IdentifiedEdge::* member) {
-    return [member](const Identified& self) {
-        Eigen::VectorXd values(std::ssize(self.found.edges));
-        for (Eigen::Index i = 0; i < values.size(); ++i) {
-            values(i) = self.found.edges[static_cast<size_t>(i)].*member;
-        }
-        return array_of(std::move(values));
-    };
+    return [member](const Identified& self) { return array_of_each(self.found.edges, member); };
 }
 
-/// A column of the draws' summary over all edges; empty without draws.
+/// Numbers of all edges, over the posterior samples; none without.
 template <class Get>
 auto of_drawn_edges(Get get) {
-    return [get](const Identified& self) {
-        Eigen::VectorXd values(std::ssize(self.found.drawn.tensions));
-        for (Eigen::Index i = 0; i < values.size(); ++i) {
-            values(i) = get(self.found.drawn.tensions[static_cast<size_t>(i)]);
-        }
-        return array_of(std::move(values));
-    };
+    return [get](const Identified& self) { return array_of_each(self.found.drawn.tensions, get); };
+}
+
+template <class Edges>
+nb::list status_of_each(const Edges& edges) {
+    nb::list list;
+    for (const auto& edge : edges) {
+        list.append(to_string(edge.status));
+    }
+    return list;
 }
 
 /// What result.json holds under a key.
@@ -108,6 +107,29 @@ nb::object remedy_in_python(const std::optional<Trust::Remedy>& remedy) {
     return result;
 }
 
+nb::list findings_of(const Trust& trust) {
+    nb::list list;
+    for (const Trust::Finding& finding : trust.findings) {
+        nb::dict one = dict_of_fields(finding);
+        one["remedy"] = remedy_in_python(finding.remedy);
+        one["reason"] = in_python(finding.reason);
+        one["next"] = advice_in_python(finding);
+        list.append(one);
+    }
+    return list;
+}
+
+nb::list epochs_of(const Identified& self) {
+    nb::list list;
+    for (const EpochResult& epoch : self.found.epochs) {
+        nb::dict one = dict_of_fields(epoch);
+        one["trust"] = to_string(epoch.trust.verdict());
+        one["findings"] = findings_of(epoch.trust);
+        list.append(one);
+    }
+    return list;
+}
+
 std::string repr(const Identified& self) {
     const Identification& found = self.found;
     if (found.status != IdentificationStatus::converged) {
@@ -130,19 +152,12 @@ std::string repr(const Identified& self) {
 void bind_numbers(nb::class_<Identified>& result) {
     result
         .def_prop_ro(
-            "edge",
-            [](const Identified& self) {
-                std::vector<int> edges;
-                for (const IdentifiedEdge& edge : self.found.edges) {
-                    edges.push_back(edge.edge);
-                }
-                return array_of(std::move(edges));
-            },
-            "Interior edges (m_I,), the order of all arrays of lengths below.")
+            "edge", [](const Identified& self) { return edges_of_each(self.found.edges); },
+            "Interior edges (m_I,), in the order of all arrays of lengths below.")
         .def_prop_ro("nominal", of_edges(&IdentifiedEdge::nominal),
                      "Unstressed lengths as designed (m_I,) [m].")
         .def_prop_ro("length_deviation", of_edges(&IdentifiedEdge::length_deviation),
-                     "Estimate of true minus nominal (m_I,) [m].")
+                     "Estimate of the true length minus the nominal one (m_I,) [m].")
         .def_prop_ro("std", of_edges(&IdentifiedEdge::std),
                      "Standard deviation of the estimate (m_I,) [m].")
         .def_prop_ro("lower", of_edges(&IdentifiedEdge::lower),
@@ -150,16 +165,9 @@ void bind_numbers(nb::class_<Identified>& result) {
         .def_prop_ro("upper", of_edges(&IdentifiedEdge::upper),
                      "Upper end of the 95 % interval of the deviation (m_I,) [m].")
         .def_prop_ro(
-            "edge_status",
-            [](const Identified& self) {
-                nb::list list;
-                for (const IdentifiedEdge& edge : self.found.edges) {
-                    list.append(to_string(edge.status));
-                }
-                return list;
-            },
-            "'determined', 'weakly_determined', 'not_determined' or 'slack' (only a lower bound is "
-            "known) of each interior edge.")
+            "edge_status", [](const Identified& self) { return status_of_each(self.found.edges); },
+            "Of each interior edge 'determined', 'weakly_determined', 'not_determined' or 'slack' "
+            "(only a lower bound is known).")
         .def_prop_ro(
             "tension",
             [](nb::handle_t<Identified> self) {
@@ -168,19 +176,25 @@ void bind_numbers(nb::class_<Identified>& result) {
             "Of all edges in the predicted form (m,) [N].")
         .def_prop_ro("tension_lower",
                      of_drawn_edges([](const DrawnTension& of) { return of.tension.lower; }),
-                     "95 % interval over the draws (m,); empty without [N].")
+                     "Lower ends of the 95 % intervals (m,); empty without posterior samples [N].")
         .def_prop_ro("tension_upper",
                      of_drawn_edges([](const DrawnTension& of) { return of.tension.upper; }),
-                     "95 % interval over the draws (m,); empty without [N].")
-        .def_prop_ro("slack_probability",
-                     of_drawn_edges([](const DrawnTension& of) { return of.slack_probability; }),
-                     "Part of the draws in which an edge carries nothing (m,); empty without.")
+                     "Upper ends of the 95 % intervals (m,); empty without posterior samples [N].")
+        .def_prop_ro(
+            "slack_probability",
+            of_drawn_edges([](const DrawnTension& of) { return of.slack_probability; }),
+            "Probability that an edge carries nothing (m,); empty without posterior samples.")
         .def_prop_ro(
             "form",
             [](nb::handle_t<Identified> self) {
                 return view_of(nb::cast<const Identified&>(self).found.predicted.form, self);
             },
-            "Predicted, supports included (n, 3) [m].")
+            "Predicted form, supports included (n, 3) [m].")
+        .def_prop_ro(
+            "predicted",
+            [](const Identified& self) -> const Equilibrium& { return self.found.predicted; },
+            nb::rv_policy::reference_internal,
+            "Equilibrium of the net with the identified lengths.")
         .def_prop_ro(
             "length_draws",
             [](nb::handle_t<Identified> self) -> std::optional<Array> {
@@ -189,7 +203,7 @@ void bind_numbers(nb::class_<Identified>& result) {
                            ? std::optional(rows_of_columns(found.draws->length_deviations, self))
                            : std::nullopt;
             },
-            "Draws of the posterior of length_deviation (draws, m_I) [m]; None without.")
+            "Posterior samples of length_deviation (draws, m_I) [m]; None without.")
         .def_prop_ro(
             "length_covariance",
             [](nb::handle_t<Identified> self) -> std::optional<Array> {
@@ -198,20 +212,87 @@ void bind_numbers(nb::class_<Identified>& result) {
                                                      found.length_covariance->covariance, self))
                                                : std::nullopt;
             },
-            "Between the edges of covariance_of, in their order (k, k) [m2]; None where "
-            "none were asked for.");
+            "Between the lengths of the edges of covariance_of, in their order (k, k) [m2]; None "
+            "without.");
+}
+
+/// What the checks are made of, as C++ has it.
+void bind_checks(nb::class_<Identified>& result) {
+    bind_fields<Identification>(
+        result, &Identified::found,
+        {{"method_reason", "Why this method was used."},
+         {"residuals",
+          "Distances of the surveyed free nodes from the predicted form, in the order of "
+          "survey.surveyed (k,) [m]."},
+         {"outliers",
+          "Targets that were left out, the worst first. Of each: node, distance [m] of the survey "
+          "from where all else puts it, statistic, swapped_with (node; -1: none)."},
+         {"outlier_threshold", "Limit of statistic of the outliers; 0: no test."},
+         {"noise_ratio",
+          "Variance factor: residuals over those expected, root mean square; 0: not computed."},
+         {"noise_scale",
+          "Factor by which the survey's standard deviation was multiplied, with estimate_noise."},
+         {"length_outliers",
+          "Edges whose length the prior does not explain, the worst first. Of each: edge, "
+          "deviation and std [m], statistic; other, the edge that a slipped or swapped cable "
+          "changed as well, and node between them (-1: none); is_beside_target, whether a wrong "
+          "target explains it as well; is_swapped."},
+         {"boundary_outliers",
+          "Adjustable edges and supports that are not as designed, the worst first. Of each: kind "
+          "('adjustable_edge', 'support'), index, deviation and std (3,) [m] (of an edge the first "
+          "alone), statistic, confounded_with (-1: none)."},
+         {"boundary_not_released",
+          "Number of other adjustable edges and supports that contradict the survey and were taken "
+          "as designed."},
+         {"frame_offset",
+          "Small motion of the survey's frame from the net's, where it was estimated: rotation "
+          "[rad] about a point, then translation [m], with their std; else None."},
+         {"scales",
+          "Factors that fit the survey best, with their std: noise, of its standard deviation; "
+          "lengths, of the prior."},
+         {"prior_check",
+          "How the lengths fit the prior: checked, lengths (their number), likeliest prior, gain "
+          "in log likelihood, mean and mean_std [m], outliers."},
+         {"frame_check",
+          "How the survey as a whole would fit better: scale and scale_std, translation [m], "
+          "rotation [rad], motion_statistic."},
+         {"contradicted_prior",
+          "prior_check of the prior given, where the survey contradicts it; else None."},
+         {"prior_was_given", "Whether a prior was given."},
+         {"force_measurements", "Number of force measurements."},
+         {"force_outliers",
+          "Force measurements that were left out, the worst first. Of each: edge, measured and "
+          "expected [N], statistic."},
+         {"force_bias",
+          "Where all were left out since each is off by the same part: part, std; else None."},
+         {"contradicted_taut", "Edges that were marked taut and contradict the survey."},
+         {"contradicted_slack", "Edges that were marked slack and contradict the survey."},
+         {"uncertain",
+          "Estimates of the uncertain parameters. Of each: parameter ('supports:1mm'), edge, node "
+          "and axis that it is of (-1: of none), mean and std of the deviation from the net's, "
+          "prior_std. Units: logarithm of a factor (stiffness), K, m, N, a part of the loads."},
+         {"draws",
+          "Posterior samples, a row each: length_deviations (draws, m_I) and adjustable_deviations "
+          "(draws, m_A) [m], perturbations, forms (draws, 3 n_I) [m], tensions (draws, m) [N]; "
+          "seed, how, is_refitted, and reason why they are not to be relied on; None without."},
+         {"drawn",
+          "What follows from the samples, mean, std, lower and upper each: tensions of all edges, "
+          "with slack_probability, and mean_tension [N]; places of missing nodes [m]."},
+         {"turned",
+          "What was turned since the net was as designed, with epochs: edge, stroke and std "
+          "[m]."}});
 }
 
 void bind_result(nb::module_& module) {
-    nb::class_<Identified> result(
-        module, "Identification",
-        "How long each cable is, how tight, how sure, and whether that may be relied on.");
+    nb::class_<Identified> result(module, "Identification",
+                                  "Length and tension of each cable with their intervals, and "
+                                  "whether they may be relied on.");
     make_picklable(result);
     result.def_ro("net", &Identified::net, "As designed.")
         .def_ro("survey", &Identified::survey)
         .def_prop_ro(
             "status", [](const Identified& self) { return to_string(self.found.status); },
-            "'converged'; anything else, and its numbers are not to be used: message.")
+            "'converged'; with any other, numbers must not be used: see message.")
         .def_prop_ro(
             "message", [](const Identified& self) { return in_python(self.found.message); },
             "Why it did not converge, and what may help; else empty.")
@@ -219,30 +300,18 @@ void bind_result(nb::module_& module) {
             "trust", [](const Identified& self) { return to_string(self.found.trust.verdict()); },
             "'passed', 'doubtful' or 'failed': whether it may be acted on.")
         .def_prop_ro(
-            "findings",
-            [](const Identified& self) {
-                nb::list list;
-                for (const Trust::Finding& finding : self.found.trust.findings) {
-                    nb::dict one;
-                    one["kind"] = to_string(finding.kind);
-                    one["severity"] = to_string(finding.severity);
-                    one["ids"] = finding.ids;
-                    one["value"] = finding.value;
-                    one["std"] = finding.std;
-                    one["confounded_with"] = finding.confounded_with;
-                    one["remedy"] = remedy_in_python(finding.remedy);
-                    one["reason"] = in_python(finding.reason);
-                    one["next"] = advice_in_python(finding);
-                    list.append(one);
-                }
-                return list;
-            },
+            "findings", [](const Identified& self) { return findings_of(self.found.trust); },
             "What the checks found, the worst first. Of each: kind, severity ('passed', "
-            "'doubtful', "
-            "'failed'), ids of its edges or nodes, value and std in SI units, confounded_with, "
-            "remedy (parameter, an argument of identify() or read_survey(), and its value; None "
-            "where it "
-            "is to be chosen), reason, and what to do next.")
+            "'doubtful', 'failed'), ids of its edges or nodes, value and std in SI units, "
+            "confounded_with, remedy (parameter: an argument of identify() or read_survey(); "
+            "value: None where it is to be chosen), reason, and what to do next.")
+        .def_prop_ro(
+            "epochs", &epochs_of,
+            "Of each survey, where epochs were given: surveyed, turned, outliers, "
+            "boundary_outliers, frame_offset, noise_ratio and noise_scale as here; change_ratio of "
+            "the lengths over what both surveys let expect, and change_limit that chance exceeds "
+            "once in a thousand; changes of single lengths [m]; excess_actuator_std [m]; "
+            "stroke_factor that fits all strokes best, and stroke_factor_std; trust and findings.")
         .def_prop_ro(
             "method", [](const Identified& self) { return self.found.method; },
             "'map', 'balance' or 'gp'.")
@@ -257,25 +326,23 @@ void bind_result(nb::module_& module) {
             "detectable", part_of_json("detectable"), nb::sig("def detectable(self) -> dict"),
             "The smallest error of each kind that the checks find with a probability of 80 %: "
             "target, length, adjustable, support [m], scale [-], temperature [K]; None: none is.")
-        .def_prop_ro(
-            "assumptions", part_of_json("assumptions"), nb::sig("def assumptions(self) -> list"),
-            "What was taken as uncertain besides lengths: name, value, std, unit, source ('given' "
-            "or 'default') and whether the survey shows it (testable).")
+        .def_prop_ro("assumptions", part_of_json("assumptions"),
+                     nb::sig("def assumptions(self) -> list"),
+                     "What was uncertain besides the lengths: name, value, std, unit, source "
+                     "('given' or 'default') and whether the survey shows it (testable).")
         .def_prop_ro(
             "prior", part_of_json("prior"), nb::sig("def prior(self) -> dict"),
             "Prior of the length deviations after the survey: given, exact, std and std_std [m], "
-            "uniform_probability, nodes with prior and weight; and what the deviations have in "
+            "uniform_probability, nodes with prior and weight; common, what the deviations have in "
             "common: mean and mean_std [m], run_std and run_probability of the runs of cable, "
             "adjustable and adjustable_std of the adjustable edges [m].")
-        .def_prop_ro(
-            "diagnostics", part_of_json("diagnostics"), nb::sig("def diagnostics(self) -> dict"),
-            "The numbers behind findings: noise, lengths, prior, frame; length_outliers: edges of "
-            "another length than the prior lets expect, with the other edge where a clamp slipped "
-            "or two were swapped; boundary: adjustable edges and supports that are not as "
-            "designed.")
+        .def_prop_ro("diagnostics", part_of_json("diagnostics"),
+                     nb::sig("def diagnostics(self) -> dict"),
+                     "What result.json holds of the checks: noise, lengths, prior, frame, "
+                     "length_outliers, boundary.")
         .def_prop_ro(
             "built", [](const Identified& self) { return built_net_of(self.net, self.found).net; },
-            "The net as it stands: its lengths as identified, its nodes in equilibrium.")
+            "The net as built: lengths as identified, nodes in equilibrium.")
         .def(
             "to_json",
             [](const Identified& self) {
@@ -299,29 +366,30 @@ void bind_result(nb::module_& module) {
                 write_files(files);
             },
             nb::arg("path"),
-            "Writes result.json, and the draws beside it, as taut identify does: for taut plan and "
-            "taut report.")
+            "Writes result.json, and the posterior samples beside it, as taut identify does.")
         .def(
             "to_dataframe",
             [](nb::handle_t<Identified> self) {
                 return of_package("taut.tables", "identification_frame")(self);
             },
             nb::sig("def to_dataframe(self) -> object"),
-            "All edges as a pandas.DataFrame, SI units; lengths of adjustable edges are known.")
+            "All edges as a pandas.DataFrame, SI units. Lengths of adjustable edges are known.")
         .def("_repr_html_",
              [](nb::handle_t<Identified> self) {
                  return of_package("taut.notebook", "result_html")(self);
              })
         .def("__repr__", &repr);
     bind_numbers(result);
+    bind_checks(result);
 }
 
 Identified identified(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
-                      const std::vector<std::pair<Survey, Readings>>& epochs,
+                      const std::vector<std::pair<Survey, OfEdges>>& epochs,
                       const nb::object& progress) {
     if (epochs.empty()) {
-        Identification found = interruptible(
-            progress, [&](const Progress& told) { return identify(net, survey, options, told); });
+        Identification found = interruptible(progress, [&](const Progress& reporter) {
+            return identify(net, survey, options, reporter);
+        });
         return {.net = net, .survey = survey, .found = std::move(found)};
     }
     std::vector<Epoch> all{{.survey = survey, .turned = {}}};
@@ -332,8 +400,9 @@ Identified identified(const CableNet& net, const Survey& survey, const IdentifyO
         }
         all.push_back(std::move(epoch));
     }
-    Identification found = interruptible(
-        progress, [&](const Progress& told) { return identify_epochs(net, all, options, told); });
+    Identification found = interruptible(progress, [&](const Progress& reporter) {
+        return identify_epochs(net, all, options, reporter);
+    });
     return {.net = net, .survey = all.back().survey, .found = std::move(found)};
 }
 
@@ -361,41 +430,30 @@ std::vector<int> target_nodes(const CableNet& net, const ArrayLike& targets) {
 void bind_predicted_precision(nb::module_& module) {
     nb::class_<PredictedPrecision> precision(
         module, "PredictedPrecision",
-        "What a survey can tell of lengths and tensions, before it is made.");
+        "How precisely a survey would determine lengths and tensions, before it is made.");
     make_picklable(precision);
+    bind_fields<PredictedPrecision>(
+        precision, std::identity(),
+        {{"prior_std", "Standard deviation of each length deviation before the survey [m]."},
+         {"mean_tension", "Mean over all edges, as designed [N]."},
+         {"mean_tension_std", "Its standard deviation after the survey [N]."},
+         {"measurements",
+          "Force measurements that would help, the best first. Of each: edge, tension and its std "
+          "[N], mean_std_if_measured, mean_tension_std with this one as well [N]."}});
     precision
-        .def_ro("prior_std", &PredictedPrecision::prior_std,
-                "Of each length deviation, before the survey [m].")
         .def_prop_ro(
-            "edge",
-            [](const PredictedPrecision& self) {
-                std::vector<int> edges;
-                for (const EdgePrecision& edge : self.edges) {
-                    edges.push_back(edge.edge);
-                }
-                return array_of(std::move(edges));
-            },
-            "Interior edges (m_I,), the order of std and edge_status.")
+            "edge", [](const PredictedPrecision& self) { return edges_of_each(self.edges); },
+            "Interior edges (m_I,), in the order of std and edge_status.")
         .def_prop_ro(
             "std",
             [](const PredictedPrecision& self) {
-                Eigen::VectorXd values(std::ssize(self.edges));
-                for (Eigen::Index i = 0; i < values.size(); ++i) {
-                    values(i) = self.edges[static_cast<size_t>(i)].std;
-                }
-                return array_of(std::move(values));
+                return array_of_each(self.edges, &EdgePrecision::std);
             },
-            "Of each interior edge's length deviation, after the survey (m_I,) [m].")
-        .def_prop_ro("edge_status",
-                     [](const PredictedPrecision& self) {
-                         nb::list list;
-                         for (const EdgePrecision& edge : self.edges) {
-                             list.append(to_string(edge.status));
-                         }
-                         return list;
-                     })
-        .def_ro("mean_tension", &PredictedPrecision::mean_tension, "Over all edges [N].")
-        .def_ro("mean_tension_std", &PredictedPrecision::mean_tension_std, "After the survey [N].")
+            "Standard deviation of each length deviation after the survey (m_I,) [m].")
+        .def_prop_ro(
+            "edge_status",
+            [](const PredictedPrecision& self) { return status_of_each(self.edges); },
+            "Most probable status of each interior edge, as Identification.edge_status.")
         .def("to_dict", &dict_of_fields<PredictedPrecision>, nb::sig("def to_dict(self) -> dict"),
              "All of it, SI units.")
         .def(
@@ -408,9 +466,7 @@ void bind_predicted_precision(nb::module_& module) {
         .def("__repr__", [](const PredictedPrecision& self) {
             return fmt::format(
                 "PredictedPrecision({} edges: {} determined, {} weakly determined, {} not "
-                "determined, "
-                "{} slack; "
-                "RMS std {:.3g} mm, {:.3g} mm before)",
+                "determined, {} slack; RMS std {:.3g} mm, {:.3g} mm before)",
                 self.edges.size(), self.count(EdgeStatus::determined),
                 self.count(EdgeStatus::weakly_determined), self.count(EdgeStatus::not_determined),
                 self.count(EdgeStatus::slack), 1e3 * self.rms_std(), 1e3 * self.prior_std);
@@ -446,13 +502,13 @@ void bind_predicted_precision(nb::module_& module) {
         },
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
         nb::arg("prior") = "uniform:5mm", nb::arg("uncertain") = std::vector<std::string>(),
-        R"(What a survey can tell, before it is made.
+        R"(Predicts how precisely a survey would determine lengths and tensions, before it is made.
 
 Args:
-    targets: free nodes that are to be surveyed; all unless told.
+    targets: free nodes that are to be surveyed, by default all.
     noise: standard deviation of each coordinate [m].
     prior: of the length deviations.
-    uncertain: as of identify().)");
+    uncertain: as for identify().)");
 }
 
 }  // namespace
@@ -463,18 +519,17 @@ void bind_identification(nb::module_& module) {
     module.def(
         "identify",
         [](const CableNet& net, const Survey& survey, const std::optional<std::string>& method,
-           const std::optional<std::string>& prior, const LengthModel* model,
-           const Readings& readings, const std::optional<ArrayLike>& taut_edges,
-           const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& uncertain,
-           const std::optional<std::int64_t>& draws, const std::optional<ArrayLike>& covariance_of,
-           bool estimate_noise, bool prior_exact,
-           const std::vector<std::pair<Survey, Readings>>& epochs, std::uint64_t seed,
+           const std::optional<std::string>& prior, const LengthModel* model, const OfEdges& forces,
+           const std::optional<ArrayLike>& taut_edges, const std::optional<ArrayLike>& slack_edges,
+           const std::vector<std::string>& uncertain, const std::optional<std::int64_t>& draws,
+           const std::optional<ArrayLike>& covariance_of, bool estimate_noise, bool prior_exact,
+           const std::vector<std::pair<Survey, OfEdges>>& epochs, std::uint64_t seed,
            const nb::object& progress) {
             const std::int64_t count = draws.value_or(default_draws(net));
             check_draws(net, count);
             IdentifyOptions options{.prior = prior_given(prior),
                                     .prior_exact = prior_exact,
-                                    .forces = forces_told(net, readings, taut_edges, slack_edges),
+                                    .forces = forces_given(net, forces, taut_edges, slack_edges),
                                     .uncertain = uncertain_given(net, uncertain),
                                     .assume_site = assumes_site(uncertain),
                                     .model = model,
@@ -490,41 +545,43 @@ void bind_identification(nb::module_& module) {
             return identified(net, survey, options, epochs, progress);
         },
         nb::arg("net"), nb::arg("survey"), nb::kw_only(), nb::arg("method") = nb::none(),
-        nb::arg("prior") = nb::none(), nb::arg("model") = nb::none(),
-        nb::arg("forces") = Readings(), nb::arg("taut") = nb::none(), nb::arg("slack") = nb::none(),
+        nb::arg("prior") = nb::none(), nb::arg("model") = nb::none(), nb::arg("forces") = OfEdges(),
+        nb::arg("taut") = nb::none(), nb::arg("slack") = nb::none(),
         nb::arg("uncertain") = std::vector<std::string>(), nb::arg("draws") = nb::none(),
         nb::arg("covariance_of") = nb::none(), nb::arg("estimate_noise") = false,
         nb::arg("prior_exact") = false,
-        nb::arg("epochs") = std::vector<std::pair<Survey, Readings>>(), nb::arg("seed") = 1,
+        nb::arg("epochs") = std::vector<std::pair<Survey, OfEdges>>(), nb::arg("seed") = 1,
         nb::arg("progress") = nb::none(),
-        R"(From one survey of the form to all interior edges' unstressed lengths.
+        R"(Estimates the unstressed lengths of all interior edges from one survey of the form.
 
 Args:
-    method: 'map', 'balance' or 'gp'; by what is there unless told.
-    prior: prior of the length deviations, 'uniform:5mm'; a broad one unless given.
+    method: 'map', 'balance' or 'gp'; by default the one that suits what is given.
+    prior: of the length deviations, 'uniform:5mm'; by default a broad one.
     model: of train(), for 'gp'.
     forces: measured tensions, (edge, tension [N], std [N]) each.
     taut: edges seen to carry tension.
     slack: edges seen to carry none.
-    uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'; of those that are not
-        given 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm' and
-        'supports:1mm' are assumed. ['none']: all that is not given is exact.
-    draws: of the posterior, by which tensions get their intervals; 200 unless told.
+    uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'. Of what is not given taut
+        assumes 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm' and
+        'supports:1mm'. 'none': all that is not given is exact.
+    draws: number of posterior samples, which give tensions their intervals; by default 200.
     covariance_of: interior edges whose lengths' covariances are wanted.
-    estimate_noise: the survey's noise is known but for a factor.
-    prior_exact: scale and shape of prior are exact; else both are estimated with the lengths.
+    estimate_noise: estimate a common factor of the survey's standard deviations.
+    prior_exact: take scale and shape of the prior as exact; else both are estimated with the
+        lengths.
     epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke [m], std
         [m]), ...]).
+    seed: of the posterior samples.
     progress: called with stage, done, total.
 
 Returns:
-    Lengths, tensions and form; status and trust tell whether they may be relied on.
+    Lengths, tensions and form; status and trust say whether they may be relied on.
 
 Raises:
     SurveyError: for a survey that cannot be one of the net.
-    ValueError: for what does not go together.)");
+    ValueError: for arguments that contradict each other.)");
     module.def("default_draws", &default_draws, nb::arg("net"),
-               "Draws that identify() makes unless told otherwise.");
+               "Number of posterior samples that identify() makes by default.");
 }
 
 }  // namespace taut::python

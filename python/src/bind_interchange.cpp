@@ -51,14 +51,14 @@ nb::tuple net_of_compas(const std::string& text, const std::string& name, const 
                                                            : loads == "none"  ? Loads::none
                                                                               : Loads::file});
     const ImportReport& report = imported.report;
-    nb::dict told;
-    told["read"] = report.read;
-    told["left_out"] = report.left_out;
-    told["assumed"] = in_python(report.assumed);
-    told["warnings"] = in_python(report.warnings);
-    told["out_of_balance"] = report.largest_out_of_balance;
-    told["mean_tension"] = report.mean_tension;
-    return nb::make_tuple(std::move(imported.net), told);
+    nb::dict notes;
+    notes["read"] = report.read;
+    notes["left_out"] = report.left_out;
+    notes["assumed"] = in_python(report.assumed);
+    notes["warnings"] = in_python(report.warnings);
+    notes["out_of_balance"] = report.largest_out_of_balance;
+    notes["mean_tension"] = report.mean_tension;
+    return nb::make_tuple(std::move(imported.net), notes);
 }
 
 Points form_or_nodes(const CableNet& net, const std::optional<ArrayLike>& form) {
@@ -85,8 +85,7 @@ void bind_interchange(nb::module_& module) {
             return form_to_obj(net, form_or_nodes(net, form));
         },
         nb::arg("net"), nb::arg("form") = nb::none(),
-        "A form (n, 3) as OBJ, the nominal one "
-        "unless told.");
+        "A form (n, 3) as OBJ, by default the nominal one.");
     module.def(
         "_report_html",
         [](const std::string& result) { return report_html(parse_result(result, "result")); },

@@ -15,6 +15,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "documents.hpp"
+#include "given.hpp"
 #include "states.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
@@ -27,14 +28,6 @@ namespace taut::python {
 namespace {
 
 using Names = std::vector<std::string>;
-
-Thread thread_named(const std::string& name) {
-    if (name != "right" && name != "left") {
-        throw nb::value_error(
-            fmt::format("thread: got '{}', expected 'right' or 'left'", name).c_str());
-    }
-    return name == "right" ? Thread::right : Thread::left;
-}
 
 void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const ArrayLike& edges, const ArrayLike& axial_stiffness,
@@ -151,12 +144,12 @@ Args:
     edges: (m, 2) pairs of nodes.
     axial_stiffness: EA (m,), or one number for all [N].
     unstressed_lengths: (m,) [m].
-    adjustable: edges with a turnbuckle; those at supports unless told.
+    adjustable: edges with a turnbuckle, by default those at supports.
     loads: (n, 3) external forces [N].
     name: of the net.
     node_ids: names of nodes (n,), for messages and files.
     edge_ids: names of edges (m,).
-    tension_laws: piecewise linear laws.
+    tension_laws: piecewise linear laws of tension over strain.
     tension_law: which of them each edge has (m,), -1: none.
     groups: named lists of edges.
     mass: of a metre of edge (m,), or one number [kg/m].
@@ -206,10 +199,9 @@ Raises:
                     "Edges whose length is known and set, ascending.");
     net.def_prop_ro(
         "groups", [](const CableNet& self) { return self.data().groups; }, "Named lists of edges.");
-    net.def_prop_ro(
-        "runs", &cable_runs,
-        "Lists of edges that are cut from one cable: as given, or found by going straight "
-        "on through nodes.");
+    net.def_prop_ro("runs", &cable_runs,
+                    "Lists of edges that are cut from one cable: as given, or found by going "
+                    "straight on through nodes.");
     net.def("node_id", &CableNet::node_id, nb::arg("node"),
             "The node's name, or its index as text.");
     net.def("edge_id", &CableNet::edge_id, nb::arg("edge"),
@@ -231,25 +223,25 @@ Raises:
             return of_package("taut.compas", "from_compas")(*args, **settings);
         },
         nb::sig("def from_compas(structure: object, *, name: str | None = None, select: str = '', "
-                "axial_stiffness: float | None = None, young: float | None = None, "
-                "diameter: float | None = None, diameter_attribute: str = '', "
-                "force_unit: float | None = None, supports: Sequence[object] | None = None, "
-                "boundary: bool = False, loads: str = 'file') -> CableNet"),
-        R"(A net from a COMPAS 2 Mesh or Graph (Network), or from the path of a file of COMPAS 1 or 2: its
-edges' forces or force densities, and how stiff cables are, make their unstressed lengths.
+                "axial_stiffness: float | None = None, young: float | None = None, diameter: float "
+                "| None = None, diameter_attribute: str = '', force_unit: float | None = None, "
+                "supports: Sequence[object] | None = None, boundary: bool = False, loads: str = "
+                "'file') -> CableNet"),
+        R"(A net from a COMPAS 2 Mesh or Graph (Network), or from the path of a file of COMPAS 1 or 2. Its
+unstressed lengths follow from the edges' forces or force densities and the stiffness of cables.
 
 Args:
     select: key of the structure, where a file holds several.
-    axial_stiffness: EA of edges that do not tell their own [N]; or young [Pa] with diameter [m],
-        or the name of the edges' attribute that holds their diameter.
+    axial_stiffness: EA of edges without one of their own [N]; or young [Pa] with diameter [m], or
+        the name of the edges' attribute that holds their diameter.
     force_unit: of the structure's forces [N]; 1000 where they are in kN.
-    supports: keys of its supports, where its nodes do not tell.
+    supports: keys of its supports, where its nodes have no mark.
     boundary: the nodes of a mesh's boundary are supports.
-    loads: those that the structure tells ('file'), 'none', or those that 'balance' its forces.
+    loads: those of the structure ('file'), 'none', or those that 'balance' its forces.
 
 Raises:
     InputError: for what is missing or contradicts itself, at its place in the structure.
-    ValueError: where it tells neither forces nor loads.
+    ValueError: where it has neither forces nor loads.
     ImportError: without COMPAS 2.
 
 Warns:
@@ -259,9 +251,9 @@ Warns:
         [](const nb::args& args, const nb::kwargs& settings) {
             return of_package("taut.compas", "from_jax_fdm")(*args, **settings);
         },
-        nb::sig("def from_jax_fdm(structure: object, q: numpy.typing.ArrayLike, *, "
-                "xyz_fixed: numpy.typing.ArrayLike, axial_stiffness: numpy.typing.ArrayLike, "
-                "loads: numpy.typing.ArrayLike | None = None, name: str = 'jax-fdm') -> CableNet"),
+        nb::sig("def from_jax_fdm(structure: object, q: numpy.typing.ArrayLike, *, xyz_fixed: "
+                "numpy.typing.ArrayLike, axial_stiffness: numpy.typing.ArrayLike, loads: "
+                "numpy.typing.ArrayLike | None = None, name: str = 'jax-fdm') -> CableNet"),
         R"(A net from a structure of JAX FDM and its force densities.
 
 Args:
@@ -277,7 +269,7 @@ Args:
         },
         nb::arg("form") = nb::none(),
         nb::sig("def to_compas(self, form: numpy.typing.ArrayLike | None = None) -> object"),
-        "A COMPAS 2 Graph of a form (n, 3), the nominal one unless told [m]: with forces, force "
+        "A COMPAS 2 Graph of a form (n, 3), by default the nominal one [m]: with forces, force "
         "densities and unstressed lengths.");
     net.def(
         "to_dataframe",
@@ -301,8 +293,7 @@ Args:
     });
     net.def("__repr__", [](const CableNet& self) {
         return fmt::format(
-            "CableNet('{}': {} free nodes, {} supports, {} interior and {} "
-            "adjustable edges)",
+            "CableNet('{}': {} free nodes, {} supports, {} interior and {} adjustable edges)",
             self.name(), self.free_node_count(), self.supports().size(), self.interior_edge_count(),
             self.adjustable_edges().size());
     });

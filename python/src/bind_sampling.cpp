@@ -48,8 +48,7 @@ KernelMetric metric_named(const std::string& name) {
         fmt::format("kernel: got '{}', expected 'isotropic', 'direction' or 'node'", name).c_str());
 }
 
-/// Whether what is to be kept with a net was made for it.
-/// @throws nb::value_error
+/// @throws nb::value_error for what was made for another net
 void check_made_for(const CableNet& net, const std::string& fingerprint) {
     if (net.fingerprint() != fingerprint) {
         throw nb::value_error(
@@ -59,8 +58,7 @@ void check_made_for(const CableNet& net, const std::string& fingerprint) {
     }
 }
 
-/// Whether a data set is one of the sampler's, whose further samples go with it.
-/// @throws nb::value_error
+/// @throws nb::value_error for a data set of other settings, whose samples would not go with ours
 void check_made_by(const Sampler& sampler, const DataSet& data) {
     const DataSet own = sampler.empty();
     const auto words_of = [](const DataSet& of) {
@@ -165,12 +163,7 @@ void bind_model(nb::module_& module) {
         .def_prop_ro(
             "approximation_error",
             [](const LengthModel& self) {
-                Eigen::VectorXd values(std::ssize(self.processes.processes));
-                for (Eigen::Index i = 0; i < values.size(); ++i) {
-                    values(i) =
-                        self.processes.processes[static_cast<size_t>(i)].approximation_error;
-                }
-                return array_of(std::move(values));
+                return array_of_each(self.processes.processes, &gp::Process::approximation_error);
             },
             "By low rank: bound of what the mean of each interior edge is off from the exact one, "
             "root mean square over the training samples; else 0 [m] (m_I,).")
@@ -231,8 +224,8 @@ void bind_sampling(nb::module_& module) {
                     throw nb::value_error(
                         fmt::format("count: got {}, expected 0 or more", count).c_str());
                 }
-                return interruptible(progress, [&](const Progress& told) {
-                    return draw_samples(self, count, told);
+                return interruptible(progress, [&](const Progress& reporter) {
+                    return draw_samples(self, count, reporter);
                 });
             },
             nb::arg("count"), nb::kw_only(), nb::arg("progress") = nb::none(),
@@ -242,8 +235,8 @@ void bind_sampling(nb::module_& module) {
             "extend",
             [](const Sampler& self, DataSet data, int count, const nb::object& progress) {
                 check_made_by(self, data);
-                return interruptible(progress, [&](const Progress& told) {
-                    self.extend(data, count, told);
+                return interruptible(progress, [&](const Progress& reporter) {
+                    self.extend(data, count, reporter);
                     return std::move(data);
                 });
             },
@@ -252,12 +245,13 @@ void bind_sampling(nb::module_& module) {
         .def(
             "part",
             [](const Sampler& self, int first, int count, const nb::object& progress) {
-                return interruptible(
-                    progress, [&](const Progress& told) { return self.part(first, count, told); });
+                return interruptible(progress, [&](const Progress& reporter) {
+                    return self.part(first, count, reporter);
+                });
             },
             nb::arg("first"), nb::arg("count"), nb::kw_only(), nb::arg("progress") = nb::none(),
             "Samples `first` to `first` + `count` - 1, to be joined with others: for processes "
-            "that share them out.")
+            "that share the work.")
         .def("joined", &Sampler::joined, nb::arg("parts"), nb::call_guard<nb::gil_scoped_release>(),
              "The data set of all parts, in whatever order: bit for bit that of `draw`.");
     module.def(
@@ -266,8 +260,8 @@ void bind_sampling(nb::module_& module) {
             return built_net(net, parse_length_prior(prior), seed);
         },
         nb::arg("net"), nb::arg("prior") = "uniform:5mm", nb::arg("seed") = 1,
-        "A net as it might be built, for trials: the lengths of its interior edges drawn from a "
-        "prior.");
+        "A net as it might be built, for simulations: the lengths of its interior edges are drawn "
+        "from the prior.");
     module.def(
         "train",
         [](const CableNet& net, const DataSet& data, const std::optional<ArrayLike>& samples,
@@ -279,8 +273,8 @@ void bind_sampling(nb::module_& module) {
             settings.metric = kernel ? metric_named(*kernel) : settings.metric;
             const std::vector<int> on =
                 samples ? indices_argument(*samples, "samples") : data.converged_in(0, data.size());
-            return interruptible(progress, [&](const Progress& told) {
-                return train(net, data, on, settings, told);
+            return interruptible(progress, [&](const Progress& reporter) {
+                return train(net, data, on, settings, reporter);
             });
         },
         nb::arg("net"), nb::arg("data"), nb::arg("samples") = nb::none(), nb::kw_only(),
@@ -289,12 +283,10 @@ void bind_sampling(nb::module_& module) {
         R"(One Gaussian process an edge (Algorithm 1 of the paper).
 
 Args:
-    samples: which to train on; all whose forces balance, unless told.
-    mean: 'geometry' (unless told) or 'zero', what a length is expected to be before anything is
-        learnt.
-    kernel: 'isotropic' (unless told), 'direction' or 'node', how the distance of two forms is
-        measured.
-    as_in_paper: zero mean, isotropic, every survey taken for exact and whole.)");
+    samples: which to train on, by default all whose forces balance.
+    mean: mean function, by default 'geometry', or 'zero'.
+    kernel: metric of two forms, by default 'isotropic'; 'direction' or 'node'.
+    as_in_paper: zero mean, isotropic kernel, every survey taken as exact and complete.)");
 }
 
 }  // namespace taut::python

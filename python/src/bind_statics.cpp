@@ -47,8 +47,8 @@ void bind_equilibrium(nb::module_& module) {
             "Supports included (n, 3) [m].")
         .def_prop_ro(
             "status", [](const Equilibrium& self) { return to_string(self.status); },
-            "'converged', 'slack mechanism' (some nodes are loose) or 'iteration limit' "
-            "(forces do not balance).")
+            "'converged', 'slack mechanism' (some nodes are loose) or 'iteration limit' (forces do "
+            "not balance).")
         .def_prop_ro("is_balanced", &Equilibrium::balanced, "Whether forces balance.")
         .def_ro("iterations", &Equilibrium::iterations)
         .def_ro("out_of_balance", &Equilibrium::out_of_balance,
@@ -64,8 +64,7 @@ void bind_equilibrium(nb::module_& module) {
              "All of it, SI units.")
         .def("__repr__", [](const Equilibrium& self) {
             return fmt::format(
-                "Equilibrium({}: {} iterations, out of balance {:.2g} N, {} slack "
-                "edges)",
+                "Equilibrium({}: {} iterations, out of balance {:.2g} N, {} slack edges)",
                 to_string(self.status), self.iterations, self.out_of_balance,
                 self.slack_edges.size());
         });
@@ -99,8 +98,8 @@ Args:
 Returns:
     The form with its status: forces that do not balance raise nothing.)");
     nb::class_<Solver>(module, "EquilibriumSolver",
-                       "Solves one net for many sets of unstressed lengths. Threads that "
-                       "share one wait for each other.")
+                       "Solves one net for many sets of unstressed lengths. Threads that share one "
+                       "wait for each other.")
         .def(
             "__init__",
             [](Solver* self, const CableNet& net, int max_iterations, double relative_tolerance) {
@@ -137,7 +136,7 @@ Returns:
 
 Args:
     unstressed_lengths: (m,) [m].
-    start: where to begin (n, 3); the net's nodes unless told [m].)");
+    start: form to begin from (n, 3), by default the net's nodes [m].)");
     nb::class_<FormSensitivity>(module, "FormSensitivity",
                                 "First derivative of the equilibrium form with respect to "
                                 "unstressed lengths; factorised once.")
@@ -177,8 +176,8 @@ Args:
                 return array_of_columns(without_lock([&] { return self.columns(wanted); }));
             },
             nb::arg("edges"),
-            "Of each edge, a row each: change of the free coordinates by its length "
-            "(edges, 3 n_I) [m/m].");
+            "Of each edge, a row each: change of the free coordinates by its length (edges, 3 n_I) "
+            "[m/m].");
     module.def(
         "tensions",
         [](const CableNet& net, const ArrayLike& unstressed_lengths, const ArrayLike& form) {

@@ -32,9 +32,10 @@ void bind_study(nb::module_& module) {
                                               .prior = parse_length_prior(prior),
                                               .seed = seed,
                                               .uncertain = uncertain_given(net, uncertain)};
-            return dict_of(comparison_to_json(interruptible(progress, [&](const Progress& told) {
-                return compare_methods(net, settings, told);
-            })));
+            return dict_of(
+                comparison_to_json(interruptible(progress, [&](const Progress& reporter) {
+                    return compare_methods(net, settings, reporter);
+                })));
         },
         nb::arg("net"), nb::kw_only(), nb::arg("noises") = ComparisonSettings().noises,
         nb::arg("training_samples") = ComparisonSettings().training_samples,
@@ -42,12 +43,12 @@ void bind_study(nb::module_& module) {
         nb::arg("surveys") = ComparisonSettings().surveys, nb::arg("prior") = "uniform:5mm",
         nb::arg("uncertain") = std::vector<std::string>(), nb::arg("seed") = 1,
         nb::arg("progress") = nb::none(),
-        R"(All methods of identification on simulated surveys of a net: what comparison.json holds.
+        R"(Compares all methods of identification on simulated surveys: what comparison.json holds.
 
 Args:
     noises: standard deviations of surveyed coordinates [m].
-    hidden_parts: of the free nodes, that no target stands on.
-    surveys: of each kind.)");
+    hidden_parts: parts of the free nodes that have no target.
+    surveys: number of each kind.)");
     module.def(
         "reproduce",
         [](const CableNet& net, int samples, int validation, const std::string& prior,
@@ -56,8 +57,9 @@ Args:
                                          .validation = validation,
                                          .prior = parse_length_prior(prior),
                                          .seed = seed};
-            return dict_of(study_to_json(interruptible(
-                progress, [&](const Progress& told) { return run_study(net, settings, told); })));
+            return dict_of(study_to_json(interruptible(progress, [&](const Progress& reporter) {
+                return run_study(net, settings, reporter);
+            })));
         },
         nb::arg("net"), nb::kw_only(), nb::arg("samples") = StudySettings().samples,
         nb::arg("validation") = StudySettings().validation, nb::arg("prior") = "uniform:5mm",

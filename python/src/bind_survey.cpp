@@ -61,12 +61,12 @@ double unit_named(const std::string& name) {
 }
 
 /// Keyword arguments of read_survey() that were given, by their names.
-using Told = std::map<std::string, std::string>;
+using Given = std::map<std::string, std::string>;
 
-ReadSurveyOptions reading(std::optional<double> noise, const Told& told) {
+ReadSurveyOptions options_of(std::optional<double> noise, const Given& given) {
     ReadSurveyOptions options{.noise_std = noise};
-    const auto take = [&told](const char* name, const auto& use) {
-        if (const auto found = told.find(name); found != told.end()) {
+    const auto take = [&given](const char* name, const auto& use) {
+        if (const auto found = given.find(name); found != given.end()) {
             use(found->second);
         }
     };
@@ -131,7 +131,7 @@ std::vector<SurveyPoint> points_of(const ArrayLike& positions,
     return points;
 }
 
-/// Points as columns, which read_survey() takes, and pandas makes a table of.
+/// Points as columns, of which read_survey() and pandas take a mapping.
 nb::dict columns_of(const std::vector<SurveyPoint>& points) {
     const auto count = static_cast<Eigen::Index>(points.size());
     nb::list ids;
@@ -163,7 +163,7 @@ void bind_survey_class(nb::module_& module) {
             [](nb::handle_t<Survey> self) {
                 return view_of(nb::cast<const Survey&>(self).form, self);
             },
-            "Surveyed where it was, nominal elsewhere (n, 3) [m].")
+            "Surveyed positions, nominal where a node was not surveyed (n, 3) [m].")
         .def_prop_ro(
             "noise_std",
             [](nb::handle_t<Survey> self) {
@@ -175,7 +175,7 @@ void bind_survey_class(nb::module_& module) {
             [](nb::handle_t<Survey> self) {
                 return view_of(nb::cast<const Survey&>(self).surveyed, self);
             },
-            "Free nodes that were measured, ascending.")
+            "Free nodes that were surveyed, ascending.")
         .def_prop_ro(
             "missing",
             [](nb::handle_t<Survey> self) {
@@ -184,11 +184,11 @@ void bind_survey_class(nb::module_& module) {
             "Free nodes that were not, ascending.")
         .def_prop_ro(
             "warnings", [](const Survey& self) { return in_python(self.warnings); },
-            "What is most likely told wrong, a line each.")
+            "What is most likely wrong, a line each.")
         .def_prop_ro(
             "notes", [](const Survey& self) { return in_python(self.notes); },
-            "How it was understood, a line each.")
-        .def_prop_ro("is_exact", &Survey::is_exact, "Whether no surveyed coordinate has noise.")
+            "How the source was understood, a line each.")
+        .def_prop_ro("is_exact", &Survey::is_exact, "Whether all surveyed coordinates are exact.")
         .def(
             "to_dataframe",
             [](nb::handle_t<Survey> self, const CableNet& net) {
@@ -213,17 +213,27 @@ void bind_survey(nb::module_& module) {
     module.def(
         "_read_survey_file",
         [](const CableNet& net, const std::filesystem::path& path, std::optional<double> noise,
-           const Told& told) { return read_survey(net, path, reading(noise, told)); },
-        nb::arg("net"), nb::arg("path"), nb::arg("noise").none(), nb::arg("told"));
+           const Given& given) { return read_survey(net, path, options_of(noise, given)); },
+        nb::arg("net"), nb::arg("path"), nb::arg("noise").none(), nb::arg("given"));
     module.def(
         "_survey_of_points",
         [](const CableNet& net, const ArrayLike& positions,
            const std::optional<std::vector<std::string>>& ids, const std::optional<ArrayLike>& stds,
-           std::optional<double> noise, const Told& told) {
-            return read_survey(net, points_of(positions, ids, stds), reading(noise, told));
+           bool in_metres, std::optional<double> noise, const Given& given) {
+            const ReadSurveyOptions options = options_of(noise, given);
+            std::vector<SurveyPoint> points = points_of(positions, ids, stds);
+            if (in_metres && options.unit) {
+                // read_survey() takes them in the unit of the coordinates.
+                for (SurveyPoint& point : points) {
+                    if (point.noise_std) {
+                        *point.noise_std /= *options.unit;
+                    }
+                }
+            }
+            return read_survey(net, points, options);
         },
         nb::arg("net"), nb::arg("positions"), nb::arg("ids").none(), nb::arg("stds").none(),
-        nb::arg("noise").none(), nb::arg("told"));
+        nb::arg("in_metres"), nb::arg("noise").none(), nb::arg("given"));
     module.def(
         "simulate_survey",
         [](const CableNet& net, const ArrayLike& form, double noise, double hidden_part,
@@ -238,14 +248,14 @@ void bind_survey(nb::module_& module) {
         nb::arg("net"), nb::arg("form"), nb::kw_only(), nb::arg("noise") = 0.0,
         nb::arg("hidden_part") = 0.0, nb::arg("shuffled") = false, nb::arg("random_frame") = false,
         nb::arg("seed") = 1,
-        R"(What an instrument would read of a form, for trials and teaching.
+        R"(Simulates the survey of a form.
 
 Args:
     form: (n, 3), supports included [m].
     noise: standard deviation of each coordinate [m].
-    hidden_part: of the free nodes, not seen.
-    shuffled: targets have no names, and any order.
-    random_frame: in a frame of the instrument's own.
+    hidden_part: part of the free nodes that is not surveyed.
+    shuffled: points have no names, and any order.
+    random_frame: in a frame of the instrument, unknown to the net.
 
 Returns:
     Columns id, x, y, z and, where there is noise, sx, sy, sz [m], as read_survey() takes them.)");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// What each room shows to Python, in the order of the rooms: each takes part in the one module.
+// What each room shows to Python, in the order of the rooms. All go into one module.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -44,7 +44,7 @@ int threads() {
 }
 
 InterruptScope::InterruptScope() {
-    // Only there does Python take signals.
+    // Python takes signals in its main thread alone.
     if (!is_main_thread()) {
         return;
     }
@@ -69,22 +69,24 @@ bool InterruptScope::stop_requested() {
     return was_interrupted;
 }
 
-Progress progress_to(nb::object tell) {
-    if (!tell.is_none() && PyCallable_Check(tell.ptr()) == 0) {
+Progress progress_to(nb::object callback) {
+    if (!callback.is_none() && PyCallable_Check(callback.ptr()) == 0) {
         throw nb::type_error(("progress: got " +
-                              nb::cast<std::string>(tell.type().attr("__name__")) +
+                              nb::cast<std::string>(callback.type().attr("__name__")) +
                               ", expected a function of stage, done and total")
                                  .c_str());
     }
     Progress progress{.tell = {}, .stop_requested = InterruptScope::stop_requested};
-    if (tell.is_none()) {
+    if (callback.is_none()) {
         return progress;
     }
-    // Copies of a std::function are made and destroyed without the interpreter's lock.
-    const std::shared_ptr<nb::object> shared(new nb::object(std::move(tell)), [](nb::object* held) {
-        const nb::gil_scoped_acquire locked;
-        delete held;
-    });
+    // Copies of a std::function are made and destroyed without the interpreter's lock, which the
+    // last one has to take.
+    const std::shared_ptr<nb::object> shared(new nb::object(std::move(callback)),
+                                             [](nb::object* held) {
+                                                 const nb::gil_scoped_acquire locked;
+                                                 delete held;
+                                             });
     progress.tell = [shared](std::string_view stage, int done, int total) {
         const nb::gil_scoped_acquire locked;
         (*shared)(std::string(stage), done, total);

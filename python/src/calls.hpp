@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// How work of taut is called: without the interpreter's lock, with as many threads as were told,
-// and so that Ctrl-C ends it.
+// How work of taut is called: without the interpreter's lock, with the number of threads that was
+// set, and so that Ctrl-C ends it.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -19,7 +19,7 @@ namespace taut::python {
 
 namespace nb = nanobind;
 
-/// That each call uses; 0: all of the machine.
+/// How many each call uses; 0: all of the machine.
 /// @throws nb::value_error below 0
 void set_threads(int threads);
 [[nodiscard]] int threads();
@@ -40,15 +40,16 @@ private:
 };
 
 /// Calls a function of Python with the interpreter's lock.
-/// @param tell called with stage, done and total; None: nothing is told
-[[nodiscard]] Progress progress_to(nb::object tell);
+/// @param callback called with stage, done and total; None: progress is not reported
+/// @throws nb::type_error for what cannot be called
+[[nodiscard]] Progress progress_to(nb::object callback);
 
-/// @throws nb::python_error of KeyboardInterrupt where that was why the work was given up
+/// @throws nb::python_error of KeyboardInterrupt where that is why the work ended early
 void raise_pending_signals();
 
 void with_given_threads(const std::function<void()>& work);
 
-/// Does short work without the interpreter's lock, with the threads told.
+/// Does short work without the interpreter's lock, with the threads that were set.
 template <class Work>
 auto without_lock(Work&& work) {
     const nb::gil_scoped_release unlocked;
@@ -57,11 +58,12 @@ auto without_lock(Work&& work) {
     return *std::move(result);
 }
 
-/// Does long work, which takes a Progress: as above, with the threads told, ended by Ctrl-C.
+/// Does long work, which takes a Progress: as above, and Ctrl-C ends it.
 template <class Work>
-auto interruptible(const nb::object& tell, Work&& work) -> std::invoke_result_t<Work, Progress> {
+auto interruptible(const nb::object& callback, Work&& work)
+    -> std::invoke_result_t<Work, Progress> {
     using Result = std::invoke_result_t<Work, Progress>;
-    const Progress progress = progress_to(tell);
+    const Progress progress = progress_to(callback);
     std::optional<Result> result;
     try {
         const InterruptScope interrupts;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// JSON as Python has it.
+// JSON as dicts of Python.
 #pragma once
 
 #include <nanobind/nanobind.h>

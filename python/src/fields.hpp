@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// The fields of the structs that results are made of, in their order, and their names, "a, b, c":
-// for states.hpp and dicts.hpp. A list that does not name every field does not compile.
+// The fields of the structs that results are made of, in their order, with the names that they have
+// in Python: for states.hpp and dicts.hpp. A list that leaves out a field does not compile.
 #pragma once
 
 #include <concepts>
@@ -131,6 +131,7 @@ TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, surve
 TAUT_FIELDS(PlannedStroke, edge, stroke)
 TAUT_FIELDS(LimitBreach, kind, index, load_case, value, limit, probability)
 TAUT_FIELDS(SuggestedTarget, node, normal_std)
+TAUT_FIELDS(SuggestedEdge, edge, stroke, normal_rmse_after)
 TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
 TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggested_targets, form,
             form_std, tensions, tension_lower, tension_upper, effective_limits, draws,
@@ -138,8 +139,9 @@ TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggest
             normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
 TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
 TAUT_FIELDS(WorstStep, step, breach)
-TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)
-TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, crews, thread)
+TAUT_FIELDS(TurnOrder, turns, passes, walk, safe_probability, is_safe, worst)
+TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, suggested_adjustable,
+            crews, thread)
 
 #undef TAUT_FIELDS
 

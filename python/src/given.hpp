@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// What is given in words, as on the command line: 'uniform:5mm', 'stiffness:5%'.
+// Arguments that are given as text, as on the command line: 'uniform:5mm', 'stiffness:5%'.
 #pragma once
+
+#include <fmt/core.h>
+#include <nanobind/nanobind.h>
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,9 @@
 
 namespace taut::python {
 
-/// But for "none".
+namespace nb = nanobind;
+
+/// All but "none".
 /// @throws std::invalid_argument as parse_uncertain_parameter() and check_uncertain_parameters()
 [[nodiscard]] inline std::vector<UncertainParameter> uncertain_given(
     const CableNet& net, const std::vector<std::string>& texts) {
@@ -30,7 +34,7 @@ namespace taut::python {
     return uncertain;
 }
 
-/// Whether what is not given is as on a site: with_site_assumptions().
+/// Whether taut assumes what is not given: with_site_assumptions().
 [[nodiscard]] inline bool assumes_site(const std::vector<std::string>& texts) {
     return std::ranges::find(texts, "none") == texts.end();
 }
@@ -39,6 +43,15 @@ namespace taut::python {
 [[nodiscard]] inline std::optional<LengthPrior> prior_given(
     const std::optional<std::string>& text) {
     return text ? std::optional(parse_length_prior(*text)) : std::nullopt;
+}
+
+/// @throws nb::value_error for other than 'right' and 'left'
+[[nodiscard]] inline Thread thread_named(const std::string& name) {
+    if (name != "right" && name != "left") {
+        throw nb::value_error(
+            fmt::format("thread: got '{}', expected 'right' or 'left'", name).c_str());
+    }
+    return name == "right" ? Thread::right : Thread::left;
 }
 
 }  // namespace taut::python

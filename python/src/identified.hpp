@@ -8,7 +8,7 @@
 
 namespace taut::python {
 
-/// What an identification found, with what it is of.
+/// What an identification found, with its net and survey.
 struct Identified {
     CableNet net;
     Survey survey;

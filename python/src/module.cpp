@@ -21,8 +21,7 @@
 namespace taut::python {
 namespace {
 
-/// Exceptions of taut as those of Python: the same words, but for options, which are arguments
-/// here.
+/// Exceptions of taut as those of Python. Their messages name arguments in place of options.
 void bind_exceptions(nb::module_& module) {
     static PyObject* input_error = nullptr;
     static PyObject* net_error = nullptr;
@@ -33,10 +32,9 @@ void bind_exceptions(nb::module_& module) {
         type = PyErr_NewExceptionWithDoc(full.c_str(), doc, PyExc_ValueError, nullptr);
         module.attr(name) = nb::handle(type);
     };
-    bind(input_error, "InputError",
-         "A file that cannot be read as what it should be: 'file:place: what is wrong'.");
+    bind(input_error, "InputError", "A file that cannot be read: 'file:place: what is wrong'.");
     bind(net_error, "NetError",
-         "A rule of a cable net that is broken: 'edges[3]: connects node 7 to itself'.");
+         "A cable net that breaks a rule: 'edges[3]: connects node 7 to itself'.");
     bind(survey_error, "SurveyError", "A survey that cannot be one of the net.");
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
         const auto raise = [](PyObject* type, const std::exception& error) {
@@ -66,14 +64,15 @@ void bind_exceptions(nb::module_& module) {
 }  // namespace
 
 NB_MODULE(_taut, module) {
-    module.doc() = "The rooms of taut, bound: import taut instead.";
+    module.doc() = "The compiled part of taut: import taut instead.";
     module.attr("__version__") = std::string(version());
     bind_exceptions(module);
     module.def(
         "set_threads", &set_threads, nb::arg("threads"),
-        "Sets how many threads each call of taut uses from now on, 0 for all of the machine. "
-        "NumPy's own are not touched.");
-    module.def("threads", &threads, "How many threads each call uses; 0: all of the machine.");
+        "Sets how many threads each call of taut uses from now on, 0 for all of the machine. NumPy "
+        "keeps its own.");
+    module.def("threads", &threads,
+               "Number of threads that each call uses; 0: all of the machine.");
     bind_net(module);
     bind_statics(module);
     bind_design(module);

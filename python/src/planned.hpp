@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "taut/adjustment/built_net.hpp"
+#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
@@ -13,7 +15,7 @@
 
 namespace taut::python {
 
-/// A plan with all that it tells of.
+/// A plan with what it was made from.
 struct Planned {
     CableNet net;
     BuiltNet built;
@@ -23,6 +25,7 @@ struct Planned {
     PlanOptions options;
     Plan plan;
     TurnOrder order;
+    std::optional<std::vector<FurtherEdge>> suggested_adjustable;
     int crews = 1;
     std::optional<Thread> thread;
 };

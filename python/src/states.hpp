@@ -22,7 +22,7 @@
 
 namespace taut::python {
 
-/// Of a type, how its state is made and read.
+/// How the state of a type is made and read.
 template <class T>
 struct State;
 
@@ -43,7 +43,7 @@ struct State {
         static constexpr size_t count = std::tuple_size_v<FieldsOf<T>>;
         const auto fields = nb::cast<nb::tuple>(state);
         if (fields.size() != count) {
-            throw nb::value_error("state: is none of this class");
+            throw nb::value_error("state: is not one of this class");
         }
         return [&]<size_t... I>(std::index_sequence<I...>) {
             return T{State<std::remove_cvref_t<std::tuple_element_t<I, FieldsOf<T>>>>::read(
@@ -52,7 +52,7 @@ struct State {
     }
 };
 
-/// As Python has it: numbers, text, and nets.
+/// Numbers, text and nets are their own state.
 template <class T>
     requires(std::is_arithmetic_v<T> || std::is_same_v<T, std::string> ||
              std::is_same_v<T, CableNet>)
@@ -68,7 +68,7 @@ struct State<T> {
     static T read(nb::handle state) { return static_cast<T>(nb::cast<int>(state)); }
 };
 
-/// An array of a row a column.
+/// An array, in which each column is a row.
 template <class T>
     requires std::is_base_of_v<Eigen::MatrixBase<T>, T>
 struct State<T> {
@@ -111,8 +111,8 @@ struct State<std::vector<T>> {
     }
 };
 
-/// Makes a class pickle and copy by its fields. Another version's state is refused: its fields may
-/// be others.
+/// Makes a class pickle and copy by its fields. The state of another version is refused: its fields
+/// may be others.
 template <class T>
 void make_picklable(nb::class_<T>& of) {
     of.def("__getstate__", [](const T& self) {
@@ -120,7 +120,7 @@ void make_picklable(nb::class_<T>& of) {
     });
     of.def("__setstate__", [](T& self, const nb::tuple& state) {
         if (state.size() != 2) {
-            throw nb::value_error("state: is none of this class");
+            throw nb::value_error("state: is not one of this class");
         }
         try {
             const auto made_by = nb::cast<std::string>(state[0]);
@@ -132,7 +132,7 @@ void make_picklable(nb::class_<T>& of) {
             }
             new (&self) T(State<T>::read(state[1]));
         } catch (const nb::cast_error&) {
-            throw nb::value_error("state: is none of this class");
+            throw nb::value_error("state: is not one of this class");
         }
     });
 }

@@ -16,8 +16,8 @@
 namespace taut::python {
 namespace {
 
-/// Where the argument has another name or kind, and commands, which have none. The longer ones
-/// first.
+/// Options whose argument has another name or kind, and commands, which have none. The longer ones
+/// come first.
 constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"--supports and a file of their ids", "supports and their keys"},
     {"--supports boundary", "boundary=True"},
@@ -30,7 +30,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"taut sample ", ""},
 };
 
-/// Of options that choose, which may stand behind them.
+/// Values of options that offer a choice.
 constexpr std::array<std::string_view, 16> choices{
     "auto", "net", "supports", "name",  "place", "map", "gp",    "balance",
     "mm",   "cm",  "m",        "us-ft", "ft",    "in",  "utf-8", "none"};
@@ -43,7 +43,7 @@ bool is_letter(char c) {
     return c >= 'a' && c <= 'z';
 }
 
-/// Whether an option begins here; "--xml" is one of gama-local.
+/// Whether an option begins here. "--xml" is an option of gama-local.
 bool is_option(std::string_view text) {
     return text.size() > 2 && text.starts_with("--") && is_letter(text[2]) &&
            !text.starts_with("--xml");
@@ -59,7 +59,7 @@ std::string take_name(std::string_view& text) {
     return name;
 }
 
-/// Takes what stands behind an option's name, "5mm" of " 5mm, or", where that is a value.
+/// Takes the value behind an option's name, "5mm" of " 5mm, or"; empty where there is none.
 std::string_view take_value(std::string_view& text) {
     if (!text.starts_with(' ')) {
         return {};
@@ -78,7 +78,7 @@ std::string_view take_value(std::string_view& text) {
     return word;
 }
 
-/// A length as a number of metres where it is one.
+/// A length as a number of metres; any other text as it is.
 std::string in_metres(std::string_view length) {
     try {
         return fmt::format("{:.6g}", parse_length(length));

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""How long each cable of a tensioned net really is, how tight, and how sure, from one survey.
+"""Estimates length and tension of each cable of a tensioned net from one survey.
 
     net = taut.CableNet.load("net.json")
     survey = taut.read_survey(net, "survey.csv")
@@ -22,13 +22,19 @@ for _name, _of in vars(_taut).items():
     if not _name.startswith("_") and hasattr(_of, "__nb_signature__"):
         globals()[_name] = calls.naming_arguments(_of)
 
+
+class Sampler(_taut.Sampler):
+    __doc__ = _taut.Sampler.__doc__
+    __init__ = calls.naming_arguments(_taut.Sampler.__init__, "Sampler")
+
+
 __all__ = [name for name in dir() if not name.startswith("_")]
 __all__ = [name for name in __all__ if name not in ("import_module", "calls", "surveys")]
 __all__ += ["__version__", "gradients"]  # noqa: F405 - gp and plot take packages that are optional
 
 
 def __getattr__(name):
-    """Modules that import more than NumPy, when they are first used."""
+    """Imports the modules that need more than NumPy when they are first used."""
     if name in ("gp", "gradients", "plot"):
         return import_module(f"taut.{name}")
     raise AttributeError(f"module 'taut' has no attribute {name!r}")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Functions of the compiled module as those of Python: they can be handed to other processes, and
-what they cannot take is told by the argument's name."""
+"""Functions of the compiled module as functions of Python, which other processes can take. Errors
+name the argument, and arguments of version 0.2 are taken under their old names."""
 
 from __future__ import annotations
 
@@ -9,8 +9,18 @@ import ast
 import difflib
 import functools
 import re
+import warnings
 
 TYPES = {"str": str, "bool": bool}
+
+#: Arguments of version 0.2 and their names since. The old ones go with 0.4.
+RENAMED = {
+    "law": "prior",
+    "readings": "forces",
+    "unknowns": "uncertain",
+    "further": "suggest_adjustable",
+    "survey_first": "suggest_targets",
+}
 
 
 def _fits(value, annotation: ast.expr):
@@ -41,13 +51,19 @@ def _got(value):
     return f"{name} {value}" if isinstance(value, int) else name
 
 
+def _arguments(function) -> tuple[ast.arguments, dict[str, ast.expr]]:
+    """The arguments of a function of nanobind, and the annotations of all by their names."""
+    head = re.sub(r"\\\d+", "...", function.__nb_signature__[0][0])
+    arguments = ast.parse(f"{head}: ...").body[0].args
+    arguments.args = [one for one in arguments.args if one.arg != "self"]
+    return arguments, {one.arg: one.annotation for one in arguments.args + arguments.kwonlyargs}
+
+
 def misfit(function, args, kwargs) -> str:
     """What is wrong with the arguments of a call that a function of nanobind has refused."""
-    head = re.sub(r"\\\d+", "...", function.__nb_signature__[0][0])
-    told = ast.parse(f"{head}: ...").body[0].args
-    expected = {one.arg: one.annotation for one in [*told.args, *told.kwonlyargs]}
-    if len(args) > len(told.args):
-        names = ", ".join(one.arg for one in told.args)
+    arguments, expected = _arguments(function)
+    if len(args) > len(arguments.args):
+        names = ", ".join(one.arg for one in arguments.args)
         return f"got {len(args)} arguments without a name, expected at most {names}"
     for name in [name for name in kwargs if name not in expected]:
         near = difflib.get_close_matches(name, expected, n=1)
@@ -56,7 +72,7 @@ def misfit(function, args, kwargs) -> str:
     for name in [name for name in kwargs if name in given]:
         return f"{name}: is given twice"
     given |= kwargs
-    for one in told.args[: len(told.args) - len(told.defaults)]:
+    for one in arguments.args[: len(arguments.args) - len(arguments.defaults)]:
         if one.arg not in given:
             return f"{one.arg}: is missing, expected {_listed(one.annotation)}"
     fits = {name: _fits(value, expected[name]) for name, value in given.items()}
@@ -67,18 +83,39 @@ def misfit(function, args, kwargs) -> str:
     )
 
 
+def _with_new_names(function, name, kwargs):
+    """Arguments under their names of this version, with a warning for each old one."""
+    _, expected = _arguments(function)
+    for old in [old for old in kwargs if old not in expected and RENAMED.get(old) in expected]:
+        new, value = RENAMED[old], kwargs.pop(old)
+        if new in kwargs:
+            raise TypeError(f"{name}: {old}: is the old name of {new}, which is given, too")
+        note = f"{name}: {old} is now {new}"
+        if old == "unknowns":  # these and nothing else
+            note += "=['none', ...]"
+            value = None if value is None else ["none", *value]
+        warnings.warn(note, DeprecationWarning, stacklevel=3)
+        if value is not None:
+            kwargs[new] = value
+    return kwargs
+
+
 def naming_arguments(function, name=None):
-    """The same function, which tells what it cannot take by the argument's name."""
+    """The same function: its errors name the argument, and it takes the names of RENAMED."""
     refused = f"{function.__name__}(): incompatible function arguments"
+    is_constructor = function.__name__ == "__init__"
 
     @functools.wraps(function)
     def call(*args, **kwargs):
+        if not RENAMED.keys().isdisjoint(kwargs):
+            kwargs = _with_new_names(function, call.__name__, kwargs)
         try:
             return function(*args, **kwargs)
         except TypeError as error:
             if not str(error).startswith(refused):
                 raise
-            raise TypeError(f"{call.__name__}: {misfit(function, args, kwargs)}") from None
+            wrong = misfit(function, args[is_constructor:], kwargs)
+            raise TypeError(f"{call.__name__}: {wrong}") from None
 
     call.__module__ = "taut"
     call.__name__ = call.__qualname__ = name or function.__name__

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Nets from and to COMPAS 2 and JAX FDM. Neither is imported but by what needs it."""
+"""Nets from and to COMPAS 2 and JAX FDM, which are imported where they are needed."""
 
 from __future__ import annotations
 
@@ -84,15 +84,15 @@ def _net_of_json(text, name, select, *, supports, loads, **settings):
                 f"supports: got {type(supports).__name__}, expected keys of the structure's nodes"
             )
         supports = [str(one) for one in supports]
-    net, told = _net_of_compas(
+    net, notes = _net_of_compas(
         text=text, name=name, select=select, supports=supports, loads=loads, **settings
     )
-    if told["mean_tension"] == 0.0 and not np.any(net.loads):
+    if notes["mean_tension"] == 0.0 and not np.any(net.loads):
         raise ValueError(
-            f"structure: {name} tells neither forces f nor force densities q of its edges, nor "
-            "loads, expected those in which its form was found: unstressed lengths follow from them"
+            f"structure: {name} has neither forces f nor force densities q of its edges, nor "
+            "loads, expected those of its form: unstressed lengths follow from them"
         )
-    for warning in told["warnings"]:
+    for warning in notes["warnings"]:
         warnings.warn(warning, stacklevel=4)
     return net
 
@@ -108,13 +108,13 @@ def to_compas(net, form=None):
 
 def from_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):
     """CableNet.from_jax_fdm()."""
-    told = [getattr(structure, name, None) for name in ("nodes", "edges", "indices_fixed")]
-    if any(one is None or callable(one) for one in told):
+    fields = [getattr(structure, name, None) for name in ("nodes", "edges", "indices_fixed")]
+    if any(one is None or callable(one) for one in fields):
         raise TypeError(
             f"structure: got {type(structure).__name__}, expected an EquilibriumStructure of "
             "JAX FDM"
         )
-    keys, edges, fixed = (np.asarray(one, dtype=int) for one in told)
+    keys, edges, fixed = (np.asarray(one, dtype=int) for one in fields)
     # Edges name nodes by their keys, which need be neither from 0 nor without gaps.
     index = {int(key): k for k, key in enumerate(keys)}
     edges = np.array([(index[int(s)], index[int(t)]) for s, t in edges], dtype=int)
@@ -127,7 +127,7 @@ def from_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, n
             f"q: got {q[worst]} at edge {worst}, expected above 0: cables carry tension"
         )
     if xyz_fixed is None:
-        raise ValueError("xyz_fixed: not told, expected the places of the fixed nodes (f, 3)")
+        raise ValueError("xyz_fixed: not given, expected the places of the fixed nodes (f, 3)")
     xyz_fixed = np.asarray(xyz_fixed, dtype=float)
     if xyz_fixed.shape != (len(fixed), 3):
         raise ValueError(f"xyz_fixed: got the shape {xyz_fixed.shape}, expected ({len(fixed)}, 3)")

@@ -3,8 +3,8 @@
 """Gaussian processes for many outputs over the same inputs, as a scikit-learn regressor.
 
 Hundreds of outputs, each with hyperparameters of its own, at the cost of a dozen decompositions of
-the kernel matrix that all share: the best noise and signal of an output follow from one, whatever
-they are, so only the length scales that are tried cost one each.
+the kernel matrix that all share. The best noise and signal of an output follow from one
+decomposition, so that each length scale costs one.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ __all__ = ["FittedProcesses", "MultiOutputGP", "fit"]
 class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
     """One process an output, with an isotropic squared exponential kernel and noise.
 
-    Inputs are taken as they are: scale features that are not of one kind first, by a StandardScaler
-    say. The mean of each output is taken off before it is learnt.
+    Inputs are not scaled: scale features of different kinds first, by a StandardScaler say. The
+    mean of each output is subtracted first.
 
     Args:
         relative_tolerance: the search for length scales ends when no output is expected to gain
@@ -44,7 +44,7 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         leave_one_out_rmse_: of each output (m,), of predictions at each input, trained without it.
         rank_: directions that were kept; None where samples were decomposed.
         left_out_: part of the kernel matrix, of its trace, that they leave out. Where it is larger
-            than that of the noise, signal is taken for noise: the rank is too low.
+            than that of the noise, signal counts as noise: the rank is too low.
         approximation_error_: by low rank, bound of what each output's mean is off from the exact
             one with the same hyperparameters, root mean square over the training inputs; else 0
             (m,). Standard deviations and leave-one-out errors contain it.
@@ -108,7 +108,7 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         return self._processes.predict(inputs)
 
     def sample_y(self, X, n_samples=1, random_state=0):
-        """Draws of the latent functions: (k, n_samples), or (k, m, n_samples)."""
+        """Samples of the latent functions: (k, n_samples), or (k, m, n_samples)."""
         inputs = self._inputs(X)
         random = check_random_state(random_state)
         mean, _ = self._processes.predict(inputs)

@@ -30,7 +30,7 @@ def form_vjp(
     Args:
         net: whose form it is.
         unstressed_lengths: of all edges (m,) [m].
-        start: form to begin from (n, 3); the net's nodes unless told [m].
+        start: form to begin from (n, 3), by default the net's nodes [m].
 
     Returns:
         The form (n, 3) [m], and a function of a cotangent (n, 3) that gives the gradient with
@@ -40,7 +40,7 @@ def form_vjp(
         ArithmeticError: where forces do not balance: there is no form to derive.
     """
     solver = _taut.EquilibriumSolver(net)
-    lengths = np.array(unstressed_lengths, subok=True)  # masks and dtypes are refused below
+    lengths = np.array(unstressed_lengths, subok=True)  # solve() refuses masks and other dtypes
     found = solver.solve(lengths, start)
     if not found.is_balanced:
         raise ArithmeticError(f"no equilibrium: {found!r}")
@@ -60,7 +60,7 @@ def form_vjp(
 def jax_form(net: _taut.CableNet) -> Callable:
     """form(lengths) for jax.grad and jax.jit: (m,) to (n, 3), by reverse mode.
 
-    JAX computes in single precision unless told: jax.config.update("jax_enable_x64", True).
+    JAX computes in single precision by default: jax.config.update("jax_enable_x64", True).
     """
     try:
         import jax

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""How a net and what is found of it show themselves in a notebook, without the net's help."""
+"""How a net and its results show themselves in a notebook, without loading anything."""
 
 from __future__ import annotations
 

@@ -145,7 +145,11 @@ def _intervals(axes, values, lower, upper, wrong=None):
     axes.plot(index, values[order], ".", color="black", markersize=1.5, label="estimate")
     if wrong is not None and wrong.any():
         axes.plot(
-            index[wrong[order]], values[order][wrong[order]], "x", color=ORANGE, label="in doubt"
+            index[wrong[order]],
+            values[order][wrong[order]],
+            "x",
+            color=ORANGE,
+            label="length outlier",
         )
 
 
@@ -156,8 +160,8 @@ def _identification(result):
     def column(name, of=edges):
         return np.array([np.nan if edge[name] is None else edge[name] for edge in of], dtype=float)
 
-    doubted = {one["edge"] for one in (result.get("diagnostics") or {}).get("length_outliers", [])}
-    wrong = np.array([edge["edge"] in doubted for edge in edges])
+    outliers = {one["edge"] for one in (result.get("diagnostics") or {}).get("length_outliers", [])}
+    wrong = np.array([edge["edge"] in outliers for edge in edges])
     figure, axes = _new()
     _intervals(
         axes,
@@ -262,7 +266,7 @@ def figures(result: dict) -> dict[str, Figure]:
         raise ValueError(f"result: has the format {form!r}, expected one of {', '.join(_OF)}")
     status = result.get("status", "converged")
     if status != "converged":
-        raise ValueError(f"result: has found no lengths, its status is {status!r}")
+        raise ValueError(f"result: has no lengths, its status is {status!r}")
     try:
         with mpl.rc_context(STYLE):
             return dict(_OF[form](result))
@@ -289,12 +293,12 @@ def main(arguments=None):
     parser.add_argument("result", type=Path, help="result.json, results.json or plan.json")
     parser.add_argument("-o", "--output", type=Path, required=True, help="folder of the figures")
     parser.add_argument("--format", choices=["pdf", "svg", "png"], default="pdf")
-    told = parser.parse_args(arguments)
+    given = parser.parse_args(arguments)
     try:
-        result = json.loads(told.result.read_text(encoding="utf-8"))
-        paths = save_figures(result, told.output, file_format=told.format)
+        result = json.loads(given.result.read_text(encoding="utf-8"))
+        paths = save_figures(result, given.output, file_format=given.format)
     except (OSError, ValueError, TypeError) as error:
-        print(f"taut.plot: {told.result}: {error}", file=sys.stderr)
+        print(f"taut.plot: {given.result}: {error}", file=sys.stderr)
         return 2
     for path in paths:
         print(path)

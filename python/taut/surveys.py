@@ -54,8 +54,8 @@ def _of_table(table, ids):
 
 
 def _names(ids, count):
-    """Names as text; a column of whole numbers that went through floats keeps none of the '.0'.
-    No more are taken than there are points, and one."""
+    """Names as text. Whole numbers that went through floats lose their '.0'. An endless source of
+    names is refused after one more than there are points."""
     if ids is None:
         return None
     if isinstance(ids, str) or not isinstance(ids, Iterable):
@@ -116,22 +116,22 @@ def read_survey(
 
     Args:
         net: that was surveyed.
-        source: the path of a file (CSV, TXT, LandXML, JobXML, GSI, DXF, PTS, XYZ, readings of
+        source: the path of a file (CSV, TXT, LandXML, JobXML, GSI, DXF, PTS, XYZ, observed
             angles and distances); or points: an array (k, 3), or a table with columns x, y, z and,
             where there are any, id, sx, sy, sz, as a pandas.DataFrame or a mapping of arrays [m].
-        ids: names of the points of an array (k,), those of the net's nodes; without, points are put
-            on nodes by their place.
+        ids: names of the points of an array (k,), those of the net's nodes; without, each point
+            belongs to the nearest node.
         noise: standard deviation of each coordinate, one number, or of points (3,) or (k, 3), where
-            the source tells none [m], whatever the unit of the coordinates.
+            the source has none [m], whatever the unit of the coordinates.
         frame: 'net', 'supports' (fitted to those that are named), or 'auto'.
         control: path of control points id, x, y, z in the net's frame, to fit the frame to.
-        unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points 'm' unless told.
-        match: what tells a point's node: its 'name', its 'place', or 'auto'.
-        offset: of targets from the axis of the cable along the net's normal, and how sure that is:
-            '3mm:0.2mm'.
+        unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points by default 'm'.
+        match: find a point's node by its 'name', its 'place', or 'auto'.
+        offset: of targets from the axis of the cable along the net's normal, and its standard
+            deviation: '3mm:0.2mm'.
         offsets: path of a table target, offset, std of offsets by a target's name or code.
 
-    The rest is of files alone, where these do not tell it:
+    The rest is for files alone, where these do not say it:
 
         angle: standard deviation of each direction and zenith angle, '0.3mgon'.
         range: standard deviation of each distance, '1mm+1.5ppm'.
@@ -142,7 +142,7 @@ def read_survey(
         encoding: 'utf-8', 'utf-16', 'latin-1'.
 
     Returns:
-        The survey: read its warnings and notes, which tell how the source was understood.
+        The survey. Its warnings and notes say how the source was understood.
 
     Raises:
         InputError: naming the file, the place in it and the rule.
@@ -157,27 +157,29 @@ def read_survey(
         "angle": angle, "range": range, "format": format, "columns": columns,
         "separator": separator, "decimal": decimal, "encoding": encoding,
     }  # fmt: skip
-    told = {
+    given = {
         "frame": frame, "control": control, "unit": unit, "match": match,
         "offset": offset, "offsets": offsets, **of_file,
     }  # fmt: skip
-    told = {name: _text(name, value) for name, value in told.items() if value is not None}
+    given = {name: _text(name, value) for name, value in given.items() if value is not None}
     if isinstance(source, (str, os.PathLike)):
         if ids is not None:
             raise ValueError("ids: are for an array of points, and source is a file")
         noise, stds = _noise(noise, 0)
         if stds is not None:
             raise ValueError("noise: got an array, expected one number for a file")
-        return _taut._read_survey_file(net, source, noise, told)
-    for name in of_file.keys() & told.keys():
+        return _taut._read_survey_file(net, source, noise, given)
+    for name in of_file.keys() & given.keys():
         raise ValueError(f"{name}: is for a file, and source holds points")
     if isinstance(source, Mapping) or hasattr(source, "columns"):
         positions, ids, stds = _of_table(source, ids)
     else:
         positions, stds = source, None
     if stds is not None and noise is not None:
-        raise ValueError("noise: is told by the columns sx, sy, sz of source, too: leave out one")
+        raise ValueError("noise: is given by the columns sx, sy, sz of source, too: leave out one")
     count = np.shape(positions)[0] if np.ndim(positions) else 0
-    if stds is None:
+    in_metres = stds is None  # columns are in the unit of the coordinates
+    if in_metres:
         noise, stds = _noise(noise, count)
-    return _taut._survey_of_points(net, positions, _names(ids, count), stds, noise, told)
+    names = _names(ids, count)
+    return _taut._survey_of_points(net, positions, names, stds, in_metres, noise, given)

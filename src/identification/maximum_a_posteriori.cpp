@@ -353,7 +353,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     unseen.forces.taut.clear();
     unseen.forces.slack.clear();
     SurveyFitSettings fitting = settings;
-    fitting.progress = {.tell = {}, .stop_requested = progress.stop_requested};
+    fitting.progress = {.report = {}, .stop_requested = progress.stop_requested};
     SurveySearch found = search_fit(fit_net, survey, all, fitting);
     Identification verdict;
     if (!given.forces.taut.empty() || !given.forces.slack.empty()) {

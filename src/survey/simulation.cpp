@@ -9,32 +9,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "numerics/boost_random.hpp"
 #include "taut/survey/registration.hpp"
 #include "taut/survey/target_offsets.hpp"
 
 namespace taut {
 namespace {
-
-    }
-
-    /// Uniform in a full circle.
-    double angle() {
-        const double x = normal();
-        return std::atan2(normal(), x);
-    }
-
-    template <class T>
-    void shuffle(std::vector<T>& values) {
-        for (size_t i = values.size(); i > 1; --i) {
-            const boost::random::uniform_int_distribution<size_t> below(0, i - 1);
-            std::swap(values[i - 1], values[below(m_engine)]);
-        }
-    }
-
-private:
-    boost::random::mt19937_64 m_engine;
-    boost::random::normal_distribution<double> m_normal;
-};
 
 RigidMotion random_motion(BoostRandom& dice) {
     // A normal quaternion, normalised, is uniform over all rotations.

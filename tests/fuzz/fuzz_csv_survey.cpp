@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Surveys and forms; readings of angles and distances and of forces, and lists of edges.
+// Surveys and forms; observations of angles and distances, force measurements, and lists of edges.
 
 #include "fuzz.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -14,8 +14,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto text = fuzz::text_of(data, size);
     static const CableNet net = hypar(2, 3);
     fuzz::refuse_or_read([&] {
-        for (const ForceMeasurement& reading : parse_force_measurements(net, text, "forces.csv")) {
-            fuzz::require(reading.tension >= 0.0 && reading.std > 0.0);
+        for (const ForceMeasurement& measurement :
+             parse_force_measurements(net, text, "forces.csv")) {
+            fuzz::require(measurement.tension >= 0.0 && measurement.std > 0.0);
         }
     });
     fuzz::refuse_or_read([&] {
@@ -24,9 +25,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         }
     });
     fuzz::refuse_or_read([&] {
-        for (const PolarObservation& reading :
-             parse_polar_csv(text, "readings.csv", 1.0).observations) {
-            fuzz::require(reading.distance > 0.0 && reading.zenith >= 0.0);
+        for (const PolarObservation& observation :
+             parse_polar_csv(text, "polar.csv", 1.0).observations) {
+            fuzz::require(observation.distance > 0.0 && observation.zenith >= 0.0);
         }
     });
     return fuzz::refuse_or_read([&] {

@@ -13,8 +13,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         fuzz::refuse_or_read([&] {
             const ForeignSurvey survey = read_foreign_survey(bytes, name);
             fuzz::require(!survey.points.empty() || !survey.polar.observations.empty());
-            for (const PolarObservation& reading : survey.polar.observations) {
-                fuzz::require(reading.station < std::ssize(survey.polar.stations));
+            for (const PolarObservation& observation : survey.polar.observations) {
+                fuzz::require(observation.station < std::ssize(survey.polar.stations));
             }
             for (const SurveyPoint& point : survey.points) {
                 fuzz::require(point.position.allFinite());

@@ -53,7 +53,7 @@ def arguments(rng: random.Random, sandbox: Sandbox, originals: Path):
     judge(sandbox.run(*words), (*writes, *named, *beside, *folders))
 
 
-#: Of a command that reads HDF5: what it reads, and which of its files tells whether all was read as it stands there.
+#: A command that reads HDF5, the file that it reads, and the output that shows whether all was read as written.
 READERS = [
     (["identify", "net.json", "survey.csv", "--model", "model.h5", "-o", "out.json", "--draws", "0", "--quiet"], "model.h5", "out.json"),
     (["train", "data.h5", "-o", "out.h5", "--quiet"], "data.h5", "out.h5"),
@@ -61,8 +61,8 @@ READERS = [
 ]  # fmt: skip
 
 
-def _told(data: bytes, name: str) -> object:
-    """What a result tells, without the time of its making."""
+def _content(data: bytes, name: str) -> object:
+    """A result without the time when it was made."""
     if not name.endswith(".json"):
         return data
     document = json.loads(data)
@@ -81,7 +81,7 @@ def damage(rng: random.Random, sandbox: Sandbox, originals: Path):
     if name not in _expected:
         run = sandbox.run(*words)
         judge(run, ("out.json", "out.h5", "out_draws.h5"))
-        _expected[name] = _told(sandbox.read(result), result)
+        _expected[name] = _content(sandbox.read(result), result)
         _prepared(sandbox, originals)
     data = bytearray(sandbox.read(name))
     if rng.random() < 0.8:
@@ -93,7 +93,7 @@ def damage(rng: random.Random, sandbox: Sandbox, originals: Path):
     sandbox.write(name, bytes(data))
     run = sandbox.run(*words)
     judge(run, ("out.json", "out.h5", "out_draws.h5"))
-    if run.code == 0 and _told(sandbox.read(result), result) != _expected[name]:
+    if run.code == 0 and _content(sandbox.read(result), result) != _expected[name]:
         raise Finding(f"damage of {name} changed the result: {run}")
 
 
@@ -169,15 +169,15 @@ def streams(rng: random.Random, sandbox: Sandbox, originals: Path):
         run = sandbox.run(*words, **keywords)
     # Of a run whose standard error nobody can read no line is seen.
     if choice in (1, 3, 4):
-        told = b"taut: error: the work is done and its files are written, but standard output cannot be\n"
-        run.err = {0: b"", 2: told if choice == 4 else b"taut: error: \n"}.get(run.code, run.err)
+        line = b"taut: error: the work is done and its files are written, but standard output cannot be\n"
+        run.err = {0: b"", 2: line if choice == 4 else b"taut: error: \n"}.get(run.code, run.err)
     if choice in (0, 2) and run.code == 0:
-        raise Finding(f"standard output could not be written, and nothing is told: {run}")
+        raise Finding(f"standard output could not be written, and no message says so: {run}")
     judge(run, tuple(writes))
 
 
 def kills(rng: random.Random, sandbox: Sandbox, originals: Path):
-    """A signal at any moment: outputs are old or new, and nothing else is left."""
+    """A signal at any time: outputs are old or new, and nothing else is left."""
     _prepared(sandbox, originals)
     words, _, writes = rng.choice([*COMMANDS, (
         ["reproduce", "--net", "net.json", "--samples", "30", "--validation", "3", "-o", "study", "--keep", "--quiet"], [], ["study/"],
@@ -187,13 +187,13 @@ def kills(rng: random.Random, sandbox: Sandbox, originals: Path):
             sandbox.write(name, b"old")
     sent = rng.choice([signal.SIGINT, signal.SIGTERM, signal.SIGKILL, signal.SIGHUP])
     run = sandbox.run(*words, kill=(rng.uniform(0.0, 0.25), sent))
-    # Who is killed while a file takes its place may leave its temporary name: the next run tells of it.
+    # A run that is killed while a file takes its place may leave its temporary name: the next run names it.
     left = [name for name in run.after if name.endswith(".tmp")]
     if sent == signal.SIGKILL and left:
-        told = sandbox.run(*words).err
+        err = sandbox.run(*words).err
         for name in left:
-            if os.fsencode(name) not in told:
-                raise Finding(f"{name} was left, and nobody tells: {run}")
+            if os.fsencode(name) not in err:
+                raise Finding(f"{name} was left, and no message names it: {run}")
             del run.after[name]
     judge(run, tuple(writes), killed=sent)
 
@@ -268,8 +268,8 @@ def locales(rng: random.Random, sandbox: Sandbox, originals: Path):
     other = sandbox.run(*words, environment=environment)
     judge(other, tuple(writes))
     for name in writes:
-        told = [_told(one.after.get(name, b"{}"), name) for one in (plain, other)]
-        if not name.endswith("/") and told[0] != told[1]:
+        contents = [_content(one.after.get(name, b"{}"), name) for one in (plain, other)]
+        if not name.endswith("/") and contents[0] != contents[1]:
             raise Finding(f"{name} depends on the environment {environment}: {other}")
 
 
@@ -303,7 +303,7 @@ def concurrent(rng: random.Random, sandbox: Sandbox, originals: Path):
 
 
 def physics(rng: random.Random, sandbox: Sandbox, originals: Path):
-    """Random nets: what is told of a form holds by an independent reckoning."""
+    """Random nets: an independent computation confirms the forms."""
     del originals
     sandbox.reset()
     net = random_net(rng)
@@ -318,22 +318,24 @@ def physics(rng: random.Random, sandbox: Sandbox, originals: Path):
         if b"no equilibrium" not in run.err:
             raise Finding(f"failed without a word on equilibrium: {run}")
         return
-    told = json.loads(run.out)
-    form = np.array(told["form"])
+    result = json.loads(run.out)
+    form = np.array(result["form"])
     left, tension_sum, rounding, slack = out_of_balance(net, form)
-    taut_count = len(net["edges"]) - len(told["slack_edges"])
-    tension = told["mean_tension"]
+    taut_count = len(net["edges"]) - len(result["slack_edges"])
+    tension = result["mean_tension"]
     load = np.abs(net.get("loads", [[0.0]])).max()
     scale = max(tension, load, 1e-9 * float(np.mean(net["axial_stiffness"])))
     if left > 1e-6 * scale + 2 * rounding:
-        raise Finding(f"{told['status']}, but {left:.3g} N are left beside {tension:.3g} N: {run}")
+        raise Finding(
+            f"{result['status']}, but {left:.3g} N are left beside {tension:.3g} N: {run}"
+        )
     if abs(tension * taut_count - tension_sum) > (1e-6 * scale + 2 * rounding) * len(net["edges"]):
         raise Finding(
             f"tensions of {tension * taut_count:.6g} N in all, which are {tension_sum:.6g} N: {run}"
         )
-    energy, gap = abs(told["energy"]), told["duality_gap"]
+    energy, gap = abs(result["energy"]), result["duality_gap"]
     # What rounding leaves of the forces, the certificate may have slack edges bear: at their slack a newton.
-    if told["status"] == "converged" and gap > 1e-6 * energy + 1e-12 * scale + rounding * slack:
+    if result["status"] == "converged" and gap > 1e-6 * energy + 1e-12 * scale + rounding * slack:
         raise Finding(f"converged, but {gap:.3g} J above the lowest of {energy:.3g} J: {run}")
 
 

@@ -89,7 +89,7 @@ class Sandbox:
         self.program = str(program)
         self.folder = folder
         self.runs = 0
-        self._peak = 0  # of all runs yet: the system tells no other
+        self._peak = 0  # of all runs so far: the system reports no other
 
     def _memory(self) -> int:
         """Of the last run, where it took more than all before it; else 0."""

