@@ -73,7 +73,7 @@ export function ofControl(control: Control): Summary {
     title: "What comes of surveying, planning and turning",
     done:
       `${counted(settings.trials, "simulated job")} on the net ${nameOf(control.net)}: ${netWords(control.net)}. Interior cables are made too long or too short ` +
-      `${lawWords(settings.law)}${uncertain}; then come ${roundsWords(control)}, each a survey, a plan ${on[main.strategy]}, and its turns.` + (others ? ` Beside them the same jobs, planned ${others}.` : ""),
+      `${lawWords(settings.prior)}${uncertain}; then come ${roundsWords(control)}, each a survey, a plan ${on[main.strategy]}, and its turns.` + (others ? ` Beside them the same jobs, planned ${others}.` : ""),
     sentences: [formSentence(control), limitSentence(control), workSentence(control)],
     figures: [
       { value: `${number(1e3 * before.normal_rmse, 2)} → ${number(1e3 * after.normal_rmse, 2)}`, unit: "mm", label: `from the target along its normal, RMS, planned ${on[main.strategy]}` },

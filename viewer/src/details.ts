@@ -152,7 +152,7 @@ export function comparisonSection(comparison: Comparison): HTMLElement {
 /** Standard deviation of a length, as the survey shows it. */
 function priorWords(prior: Identification["prior"]): string {
   if (!prior) return "";
-  if (prior.exact) return `${prior.nodes[0]?.law ?? ""}, taken as exact`;
+  if (prior.exact) return `${prior.nodes[0]?.prior ?? ""}, taken as exact`;
   const found = `estimated, standard deviation ${millimetres(prior.std)} ± ${millimetres(prior.std_std)} mm`;
   const common = prior.common && prior.common.mean_std > 0 ? `; mean of all ${millimetres(prior.common.mean)} ± ${millimetres(prior.common.mean_std)} mm` : "";
   const turnbuckles = prior.common?.adjustable_std ? `; adjustable edges ${millimetres(prior.common.adjustable ?? 0)} ± ${millimetres(prior.common.adjustable_std)} mm longer in common` : "";
@@ -171,7 +171,8 @@ export function settingsSection(result: Result): HTMLElement {
   add("command", result.command);
   add("net", result.net.name);
   add("net fingerprint", result.net.fingerprint);
-  if (result.format !== "taut-plan" && result.format !== "taut-control") add("law of the length deviations", result.law);
+  if (result.format === "taut-study" || result.format === "taut-comparison") add("prior of the length deviations", result.prior);
+  if (result.format === "taut-identification") add("most probable prior of the length deviations", result.length_prior);
   if (result.format === "taut-identification") add("prior of the length deviations", priorWords(result.prior));
   if (result.format === "taut-study" || result.format === "taut-comparison") add("seed", result.seed);
   if (result.format === "taut-study") {
@@ -198,20 +199,20 @@ export function settingsSection(result: Result): HTMLElement {
     if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("hidden free nodes", result.survey.missing);
-    for (const one of result.unknowns ?? []) {
+    for (const one of result.uncertain ?? []) {
       if (one.edge === undefined && one.node === undefined) {
         const unit = one.unit === "1" ? "%" : one.unit;
         const scale = one.unit === "1" ? 100 : 1;
         const doubt = one.observed ? "" : "; nothing that was measured shows it";
-        add(`unknown: ${one.told}`, `${number(Math.abs(one.mean) > 1e-6 * one.std ? scale * one.mean : 0)} ${unit} from the design, standard deviation ${number(scale * one.std)} ${unit}${doubt}`);
+        add(`unknown: ${one.given}`, `${number(Math.abs(one.mean) > 1e-6 * one.std ? scale * one.mean : 0)} ${unit} from the design, standard deviation ${number(scale * one.std)} ${unit}${doubt}`);
       }
     }
     const single = new Map<string, number>();
-    for (const one of result.unknowns ?? []) if (one.edge !== undefined || one.node !== undefined) single.set(one.told, (single.get(one.told) ?? 0) + (one.observed ? 1 : 0));
+    for (const one of result.uncertain ?? []) if (one.edge !== undefined || one.node !== undefined) single.set(one.given, (single.get(one.given) ?? 0) + (one.observed ? 1 : 0));
     for (const [told, observed] of single) add(`unknown: ${told}`, `${observed} of them better known than before`);
-    if (result.forces && result.forces.readings > 0) add("readings of forces", `${result.forces.readings}, ${result.forces.outliers.length} left out`);
+    if (result.forces && result.forces.measurements > 0) add("readings of forces", `${result.forces.measurements}, ${result.forces.outliers.length} left out`);
     if (result.draws) add("draws of the posterior", `${result.draws.count}: ${result.draws.how}`);
-    if (result.draws?.doubt) add("no tensions are told", result.draws.doubt);
+    if (result.draws?.reason) add("no tensions are told", result.draws.reason);
     if (result.mean_tension) {
       const { mean, lower, upper } = result.mean_tension;
       add("mean tension, with its 95 % interval", `${number(mean / 1e3)} kN, ${number(lower / 1e3)} to ${number(upper / 1e3)} kN`);
@@ -226,12 +227,12 @@ export function settingsSection(result: Result): HTMLElement {
     add("tolerance along the normal", options.tolerance === null ? "" : `${short(1e3 * options.tolerance)} mm`);
     add("thread", options.thread === null ? "not told" : `${options.thread}-hand`);
     add("draws of the identification", result.draws);
-    add("no draws, since", result.no_draws_since);
+    add("no draws, since", result.no_draws_because);
   }
   if (result.format === "taut-control") {
     const { settings } = result;
     const kN = (newton: number): string => `${short(newton / 1e3)} kN`;
-    add("law of the length deviations", settings.law);
+    add("law of the length deviations", settings.prior);
     add("uncertain besides", settings.uncertain?.join(", ") || "nothing");
     add("noise of a coordinate", `${short(1e3 * settings.noise)} mm`);
     add("free nodes that a survey misses", `${short(100 * settings.hidden)} %`);

@@ -8,19 +8,19 @@ import type { FormDeviation, Plan, Turn } from "./result";
 
 /** As built, planned, and what no stroke removes; then the limits that are not kept. */
 export function planSection(plan: Plan): HTMLElement {
-  const { as_built, planned, unavoidable, normal_unknown } = plan.form;
+  const { as_built, planned, unconstrained, normal_std } = plan.form;
   const rows: [string, keyof FormDeviation][] = [
     ["along the normal, RMS", "normal_rmse"], ["along the normal, mean", "normal_mean"], ["along the normal, at most", "normal_max"],
     ["in all directions, RMS", "rmse"], ["in all directions, mean", "mean"], ["in all directions, at most", "max"],
   ];
   const unknown = plan.draws > 0
-    ? `Of the planned form, ${millimetres(normal_unknown)} mm along the normal (RMS) are not known yet: another survey can tell them, turning cannot.`
+    ? `Of the planned form, ${millimetres(normal_std)} mm along the normal (RMS) are not known yet: another survey can tell them, turning cannot.`
     : "How well the planned form is known is not told: the plan was made without draws.";
   const most = 40;
   const violations = plan.violations.slice(0, most);
   return section("plan", "Distance from the target, and limits",
     plainTable("Distance from the target", ["Distance from the target [mm]", "as built", "as planned", "no stroke removes"],
-      rows.map(([label, key]) => [label, millimetres(as_built[key]), millimetres(planned[key]), millimetres(unavoidable[key])]), ["", "", "here", ""]),
+      rows.map(([label, key]) => [label, millimetres(as_built[key]), millimetres(planned[key]), millimetres(unconstrained[key])]), ["", "", "here", ""]),
     h("p", { class: "quiet" }, unknown, " The last column is what the best strokes without limits leave; as they make the weighted RMS small, single numbers may be above those planned."),
     plan.violations.length === 0 ? h("p", { class: "quiet" }, `${plan.limits_given === false ? "No limits of tension or reaction were given; no cable goes slack, which is kept" : "Every limit is kept"}${plan.draws > 0 ? " as surely as was asked for" : " by the estimate"}.`)
       : plainTable("Limits that are not kept, or not surely", [plan.feasible ? "Least sure limits" : "Limits in the way", "under the loads", "as planned [kN]", "limit [kN]", "kept with [%]"],
@@ -59,9 +59,9 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
   const withRotation = tellsRotation(plan);
   return turns.map((turn) => h("tr", {},
     h("td", {}, h("span", { class: "tick", role: "img", "aria-label": "to tick" })),
-    h("td", {}, turn.moment + 1),
+    h("td", {}, turn.step + 1),
     h("th", { scope: "row", class: "text" }, turn.edge_id),
-    h("td", { class: `text ${turn.sense}` }, turn.sense === "shorten" ? "→← shorten" : "←→ lengthen"),
+    h("td", { class: `text ${turn.action}` }, turn.action === "shorten" ? "→← shorten" : "←→ lengthen"),
     withRotation ? h("td", { class: "text" }, rotationText(turn)) : null,
     pitch === null ? null : h("td", { class: "turns" }, turn.turns === null ? "–" : turnsText(turn.turns, plan.options)),
     h("td", {}, fixed(Math.abs(1e3 * turn.stroke), 2)),

@@ -17,13 +17,13 @@ export function breachWords({ kind, id, load_case, value, limit }: LimitBreach):
 const isNearer = ({ form }: Plan): boolean => form.planned.normal_rmse <= form.as_built.normal_rmse;
 
 function formSentence(plan: Plan): string {
-  const { as_built, planned, unavoidable } = plan.form;
+  const { as_built, planned, unconstrained } = plan.form;
   if (plan.turns.length === 0) {
     const since = plan.tolerance.reached ? `which is within the ${millimetres(plan.options.tolerance)} mm that were asked for` : "and no stroke within the limits brings it nearer";
     return `Nothing is to be turned: as built, the net is ${millimetres(as_built.normal_rmse)} mm from its target (RMS along the normal), ${since}.`;
   }
   const by = `Turning ${counted(plan.touched, "cable")} by at most ${millimetres(plan.largest_stroke)} mm ${isNearer(plan) ? "brings" : "takes"} the net from ${millimetres(as_built.normal_rmse)} mm to ${millimetres(planned.normal_rmse)} mm from its target (RMS along the normal)`;
-  return `${by}; ${millimetres(unavoidable.normal_rmse)} mm could not be removed by any stroke.` + stepWords(plan) + toleranceWords(plan);
+  return `${by}; ${millimetres(unconstrained.normal_rmse)} mm could not be removed by any stroke.` + stepWords(plan) + toleranceWords(plan);
 }
 
 /** What whole steps of a turn cost. */
@@ -46,13 +46,13 @@ function limitSentence(plan: Plan): string {
   const { tension, draws, options } = plan;
   const range = `Tensions go from ${kN(tension.least)} to ${kN(tension.most)} kN, where they are ${kN(tension.least_as_built)} to ${kN(tension.most_as_built)} kN as built.`;
   if (plan.limits_given === false) {
-    const sure = draws > 0 ? `with a probability of ${percent(tension.limit_probability ?? 0)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for` : `by the estimate, which cannot be promised${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}`;
+    const sure = draws > 0 ? `with a probability of ${percent(tension.limit_probability ?? 0)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for` : `by the estimate, which cannot be promised${plan.no_draws_because ? `: ${plan.no_draws_because}` : ""}`;
     return `No limits of tension or reaction were given; ${plan.feasible ? "" : "not surely enough "}no cable goes slack ${sure}. ${range}`;
   }
   if (draws > 0) {
     return `${plan.feasible ? "All limits are kept together with a probability of" : "Not all limits are kept: the probability that they are is"} ${percent(tension.limit_probability ?? 0)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for. ${range}`;
   }
-  return `Limits cannot be promised; by the estimate they are ${plan.feasible ? "kept" : "not all kept"}${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}. ${range}`;
+  return `Limits cannot be promised; by the estimate they are ${plan.feasible ? "kept" : "not all kept"}${plan.no_draws_because ? `: ${plan.no_draws_because}` : ""}. ${range}`;
 }
 
 /** How surely the work breaks no limit; nothing where that is not known. */
@@ -67,7 +67,7 @@ function orderSentence(plan: Plan): string {
   const work = `${counted(order.crews, "crew")} ${order.crews === 1 ? "goes" : "go"} over the net ${order.passes === 1 ? "once" : `${order.passes} times`}, ${number(order.walk)} m between stations in all`;
   if (order.safe) return `${work}; no step breaks a limit that was kept before the work${orderProbability(plan)}.`;
   const sure = orderProbability(plan) ? ` Its steps break no limit${orderProbability(plan)}.` : "";
-  const worst = order.worst ? ` At step ${order.worst.moment + 1} it is worst: ${breachWords(order.worst.breach)}${order.worst.breach.probability > 0 ? `, kept in ${percent(order.worst.breach.probability)} % of the draws` : ""}.` : "";
+  const worst = order.worst ? ` At step ${order.worst.step + 1} it is worst: ${breachWords(order.worst.breach)}${order.worst.breach.probability > 0 ? `, kept in ${percent(order.worst.breach.probability)} % of the draws` : ""}.` : "";
   return `${work}. No safe order was found; this is the least unsafe one.${sure}${worst}`;
 }
 

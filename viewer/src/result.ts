@@ -41,6 +41,6 @@ export function readResult(text: string): Result {
   const result = JSON.parse(text) as Result;
   const known = ["taut-study", "taut-identification", "taut-comparison", "taut-plan", "taut-control"];
   if (!known.includes(result?.format)) throw new Error(`its format is not one of ${known.join(", ")}`);
-  if (result.version !== 1) throw new Error(`its version is ${String((result as Result).version)}, this page knows version 1`);
+  if (result.version !== 2) throw new Error(`its version is ${String((result as Result).version)}, this page knows version 2`);
   return result;
 }

@@ -53,10 +53,10 @@ function ofStudy(study: Study): Summary {
     title: "How long the cables really are, told from the form",
     done:
       `A numerical experiment on the net ${nameOf(study.net)}: ${netWords(study.net)}. Its interior cables were made too long or too short ` +
-      `${lawWords(study.law)}, ${counted(study.samples.total, "time")}; Gaussian processes learnt from ${study.samples.training} of these forms ` +
+      `${lawWords(study.prior)}, ${counted(study.samples.total, "time")}; Gaussian processes learnt from ${study.samples.training} of these forms ` +
       `to tell the lengths, and were tried on ${study.samples.validation} that they had not seen.`,
     sentences: [
-      `From the form alone, each cable's unstressed length is told to within ${number(error)} mm (root mean square over all cables and trials), where it was unknown ${lawWords(study.law)}: ${percent(method.mrse)} % of the squared deviation is left.`,
+      `From the form alone, each cable's unstressed length is told to within ${number(error)} mm (root mean square over all cables and trials), where it was unknown ${lawWords(study.prior)}: ${percent(method.mrse)} % of the squared deviation is left.`,
       `A model with the identified lengths predicts the net's true form to ${millimetres(identified.mean)} mm in the mean (${millimetres(identified.max)} mm at most); with the lengths as designed it is ${millimetres(nominal.mean)} mm off${ratio ? `. The error is ${ratio}` : ""}.`,
       method.coverage_95 == null
         ? `The worst cable's error is ${millimetres(method.error_mean_max_abs)} mm in the mean of the trials.`
@@ -126,15 +126,15 @@ function ratioWords(ratio = 0): string {
 /** How tight the cables are, as far as the draws tell; none without draws. */
 function tensionWords(result: Identification): string {
   const { mean_tension, draws } = result;
-  if (draws?.doubt) return ` How tight the cables are is not told: ${draws.doubt}.`;
+  if (draws?.reason) return ` How tight the cables are is not told: ${draws.reason}.`;
   if (!mean_tension) return "";
   const kN = (newton: number): string => number(newton / 1e3);
   return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %${asGivenWords(result)}.`;
 }
 
 /** What the tensions rest on that nobody told to be unknown. */
-function asGivenWords({ unknowns = [] }: Identification): string {
-  const told = ["stiffness", "loads", "supports"].filter((name) => !unknowns.some((one) => one.name === name));
+function asGivenWords({ uncertain = [] }: Identification): string {
+  const told = ["stiffness", "loads", "supports"].filter((name) => !uncertain.some((one) => one.name === name));
   if (told.length === 0) return "";
   const list = told.length === 1 ? told[0] : `${told.slice(0, -1).join(", ")} and ${told[told.length - 1]}`;
   return `, where ${list} are as given`;
@@ -145,7 +145,7 @@ function forceWords({ forces }: Identification): string {
   if (!forces) return "";
   const out = forces.outliers.length;
   const bias = forces.bias ? `: together they contradict the survey, which asks for ${number(1 - forces.bias.part)} times what was read` : "";
-  const readings = out > 0 ? ` ${out} of ${counted(forces.readings, "reading")} of forces ${out === 1 ? "is" : "are"} left out${bias}.` : "";
+  const readings = out > 0 ? ` ${out} of ${counted(forces.measurements, "reading")} of forces ${out === 1 ? "is" : "are"} left out${bias}.` : "";
   const seen = (forces.contradicted_taut?.length ?? 0) + (forces.contradicted_slack?.length ?? 0);
   return readings + (seen > 0 ? " What was seen of taut and slack cables contradicts the survey, and is not used." : "");
 }
@@ -190,7 +190,7 @@ function trustLines(result: Result): HTMLElement | null {
   const found = "findings" in result ? result.findings : undefined;
   const more = (found?.length ?? 0) - firstOfEachKind(found).length;
   const optionOf = ({ remedy }: Findings[number]): string =>
-    remedy ? `--${remedy.parameter === "prior" ? "law" : remedy.parameter} ${remedy.value}`.trim() : "";
+    remedy ? `--${remedy.parameter} ${remedy.value}`.trim() : "";
   const adviceOf = (finding: Findings[number]): string => `${finding.next} ${optionOf(finding)}`.trim();
   return h("div", { class: `trust ${trust.verdict}` },
     h("p", {}, h("strong", {}, `Checks: ${trust.verdict}`)),
@@ -214,7 +214,7 @@ function ofIdentification(result: Identification): Summary {
   const determined = edges.filter((e) => statusNow(e) === "determined");
   const median = `±${millimetres(medianHalfWidth(tense))}`;
   const noise = result.noise === undefined ? "" : ` The survey's noise was taken as ${short(1e3 * result.noise)} mm a coordinate.`;
-  const law = result.law ? `, for cables made too long or too short ${lawWords(result.law)}` : "";
+  const law = result.length_prior ? `, for cables made too long or too short ${lawWords(result.length_prior)}` : "";
   const notSlack = tense.length < edges.length ? ", slack cables apart" : "";
   return {
     title: "How long each cable is, from one survey",

@@ -279,7 +279,7 @@ test("the numbers on the page are the result's", async () => {
     }
   }
   const settings = await page.textContent("#settings");
-  for (const text of [result.law, result.net.fingerprint, result.date, result.command, String(result.samples.training)]) assert.ok(settings.includes(text), text);
+  for (const text of [result.prior, result.net.fingerprint, result.date, result.command, String(result.samples.training)]) assert.ok(settings.includes(text), text);
   await close(page);
 });
 
@@ -400,7 +400,7 @@ test("slack edges stand apart with their bound, and in no statistic of deviation
 
 test("law, noise ratio, frame and control residuals are shown", async () => {
   const { page: path, result } = reports.moved;
-  assert.equal(result.law, "uniform:2mm");
+  assert.equal(result.length_prior, "uniform:2mm");
   const page = await openWithoutView(path);
   const top = await page.textContent("header");
   assert.match(top, /anywhere within ±2 mm/);
@@ -549,7 +549,7 @@ test("each crew's list has all that it turns, in the order of the work", async (
     assert.deepEqual(rows.map((r) => r[2]), own.map((t) => t.edge_id));
     rows.forEach((row, i) => {
       const turn = own[i];
-      assert.equal(Number(row[1]), turn.moment + 1);
+      assert.equal(Number(row[1]), turn.step + 1);
       assert.ok(row[3].includes(turn.stroke < 0 ? "shorten" : "lengthen"), row[3]);
       // With a left-hand thread clockwise lengthens.
       assert.equal(row[4], turn.stroke < 0 ? "↺ counterclockwise" : "↻ clockwise");

@@ -114,7 +114,7 @@ export function makeReports() {
   const plain = JSON.parse(readFileSync(join(folder, "plain.json"), "utf8"));
   const bare = structuredClone(plain);
   for (const key of ["residuals", "missing_nodes"]) delete bare.survey[key];
-  for (const key of ["tension", "date", "command", "program", "law", "frame"]) delete bare[key];
+  for (const key of ["tension", "date", "command", "program", "length_prior", "frame"]) delete bare[key];
   write("bare", bare);
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
