@@ -5,26 +5,27 @@ import { h } from "./dom";
 import { number, short } from "./format";
 import type { Assumption, Detectable, Finding, Result } from "./result";
 
-/** How a finding's value is shown: its unit, the factor to that, and what is added first. */
+/** How a finding's value is shown: its unit, and the factor to that from SI units. */
 interface Scale {
   unit: string;
   factor: number;
-  offset?: number;
+  /** What stands before the value. */
+  before?: string;
 }
 
 const mm: Scale = { unit: "mm", factor: 1e3 };
-const times: Scale = { unit: "times", factor: 1 };
-const percentMore: Scale = { unit: "%", factor: 100 };
+const timesChance: Scale = { unit: "times what chance allows", factor: 1 };
+const percent: Scale = { unit: "%", factor: 100 };
 
 /** What each kind of finding is about, and how its value is shown; values without a scale are not. */
 const kinds: Record<Finding["kind"], { name: string; scale?: Scale }> = {
   no_convergence: { name: "Convergence" },
   survey_scale: { name: "Scale of the survey", scale: { unit: "ppm", factor: 1e6 } },
   survey_frame: { name: "Frame of the survey", scale: mm },
-  survey_noise: { name: "Standard deviation of the survey", scale: times },
-  prior: { name: "Prior of the length deviations", scale: mm },
+  survey_noise: { name: "Standard deviation of the survey", scale: { unit: "times the given one", factor: 1 } },
+  prior: { name: "Prior of the length deviations", scale: { ...mm, before: "std " } },
   common_deviation: { name: "Common length deviation", scale: mm },
-  run_scales: { name: "Scales of cable runs", scale: percentMore },
+  run_scales: { name: "Scales of cable runs", scale: { ...percent, before: "std " } },
   length: { name: "Length outlier", scale: mm },
   slip: { name: "Slip at a clamp", scale: mm },
   swapped_cables: { name: "Swapped cables", scale: mm },
@@ -38,15 +39,15 @@ const kinds: Record<Finding["kind"], { name: string; scale?: Scale }> = {
   misplaced_names: { name: "Misplaced names" },
   predicted_form: { name: "Predicted form", scale: mm },
   slack_marks: { name: "Marks of slack and taut edges" },
-  force_scale: { name: "Scale of the force measurements", scale: percentMore },
+  force_scale: { name: "Scale of the force measurements", scale: percent },
   force_measurement: { name: "Force measurement", scale: { unit: "kN", factor: 1e-3 } },
-  uncertain_parameter: { name: "Uncertain parameter", scale: times },
+  uncertain_parameter: { name: "Uncertain parameter", scale: { unit: "times the assumed std", factor: 1 } },
   tensions: { name: "Tensions" },
   length_change: { name: "Length change", scale: mm },
-  turns: { name: "Turns", scale: times },
+  turns: { name: "Turns", scale: { unit: "times the given strokes", factor: 1 } },
   actuator_std: { name: "Excess actuator std", scale: mm },
-  epoch: { name: "Epoch", scale: times },
-  repeated_survey: { name: "Repeated survey", scale: times },
+  epoch: { name: "Epoch", scale: timesChance },
+  repeated_survey: { name: "Repeated survey", scale: timesChance },
   other: { name: "Finding" },
 };
 
@@ -54,7 +55,7 @@ const kinds: Record<Finding["kind"], { name: string; scale?: Scale }> = {
 function valueWords({ kind, value, std }: Finding): string {
   const { scale } = kinds[kind] ?? kinds.other;
   if (!scale || value === null) return "";
-  return `${number(scale.factor * value)}${std ? ` ± ${number(scale.factor * std)}` : ""} ${scale.unit}`;
+  return `${scale.before ?? ""}${number(scale.factor * value)}${std ? ` ± ${number(scale.factor * std, 2)}` : ""} ${scale.unit}`;
 }
 
 const mostIds = 8;
@@ -69,8 +70,8 @@ function findingItem(finding: Finding, withAdvice: boolean): HTMLElement {
   const name = `${(kinds[kind] ?? kinds.other).name}${ids.length > 0 ? ` ${idWords(ids)}` : ""}`;
   const value = valueWords(finding);
   const option = optionOf(finding);
-  return h("li", { class: severity, "data-kind": kind },
-    h("div", {}, h("span", { class: "tag" }, severity === "passed" ? "note" : severity), " ", h("strong", {}, name), value ? `: ${value}` : ""),
+  return h("li", { "data-kind": kind },
+    h("div", {}, h("span", { class: `tag ${severity}` }, severity === "passed" ? "note" : severity), " ", h("strong", {}, name), value ? `: ${value}` : ""),
     h("div", {}, finding.reason),
     confounded_with.length > 0 ? h("div", { class: "quiet" }, `Confounded with ${idWords(confounded_with)}.`) : null,
     withAdvice && adviceOf(finding) ? h("div", { class: "next" }, finding.next, option ? " " : "", option ? h("code", {}, option) : null) : null);

@@ -22,9 +22,9 @@ export function roundsSection(control: Control): HTMLElement {
     s.rounds.slice(1, s.strategy === "design, once" ? 2 : undefined).map((round) => row(s.strategy, round)));
   return section("rounds", "All rounds",
     plainTable("All rounds, by the lengths that were planned on",
-      ["planned on", "round", "3D deviation, mean [mm]", "3D deviation, max [mm]", "normal deviation, mean [mm]", "normal deviation, max [mm]", "normal deviation, RMS [mm]",
+      ["planned on", "round", "3D, mean [mm]", "3D, max [mm]", "normal, mean [mm]", "normal, max [mm]", "normal, RMS [mm]",
         "tension, min [kN]", "tension, max [kN]", "limits broken", "excess, max [%]", "strokes [mm]", "failed plans"],
       [row("as built", control.strategies[0]!.rounds[0]!), ...rows]),
-    h("p", { class: "quiet" }, "Deviations are from the target. Means are over nodes and jobs; minima and maxima are those of any job. “Design, once” does not change after its round. ",
+    h("p", { class: "quiet" }, "3D and normal deviations are from the target. Means are over nodes and jobs; minima and maxima are those of any job. “Design, once” does not change after its round. ",
       "The required probability of keeping limits applies only to plans on identified lengths; the others have no uncertainty."));
 }

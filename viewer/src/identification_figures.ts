@@ -4,7 +4,7 @@
 import * as Plot from "@observablehq/plot";
 import { dots, type Figure, type LegendEntry, lines } from "./chart";
 import { around, edgeChart } from "./edge_chart";
-import { counted, millimetres, number, rootMeanSquare } from "./format";
+import { counted, excludedTargets, millimetres, number, rootMeanSquare } from "./format";
 import { type Ink, ink } from "./inks";
 import type { Model } from "./model";
 import { netFigure, nodeMap, planThinning, type Side, sideOf } from "./net_map";
@@ -63,7 +63,7 @@ function mapFigure(result: Identification, model: Model, side: Side): Figure {
   const { used, out } = residualsOf(result);
   const distances = used.map((r) => 1e3 * lengthOf(r));
   const largest = distances.reduce((most, d) => Math.max(most, d), 0);
-  const apart = out.length === 0 ? "" : ` Not included, marked in orange: ${counted(out.length, "target")} excluded as gross errors, up to ${number(1e3 * Math.max(...out.map(lengthOf)))} mm away.`;
+  const apart = out.length === 0 ? "" : ` Not included, marked in orange: ${excludedTargets(out.length)}, up to ${number(1e3 * Math.max(...out.map(lengthOf)))} mm away.`;
   return {
     heading: "Predicted and surveyed form",
     charts: used.length === 0 ? [] : [nodeMap({
@@ -89,7 +89,7 @@ function histogramFigure(result: Identification): Figure {
     return [x, (values.length * width * Math.exp(-0.5 * x * x)) / Math.sqrt(2 * Math.PI)];
   });
   const large = values.filter((v) => Math.abs(v) > 3).length;
-  const apart = out.length === 0 ? "" : ` Not included: ${counted(out.length, "target")} excluded as gross errors.`;
+  const apart = out.length === 0 ? "" : ` Not included: ${excludedTargets(out.length)}.`;
   return {
     heading: "Standardised residuals of the survey",
     charts: values.length === 0 ? [] : [{

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { counted, millimetres, number, rootMeanSquare, short } from "./format";
+import { counted, excludedTargets, fixed, millimetres, number, rootMeanSquare, short } from "./format";
 import { controlOf, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, statusOf } from "./result";
 import { nameOf, netWords, priorWords, type Summary } from "./summary_words";
 
@@ -46,25 +46,26 @@ function fitWords({ survey }: Identification): string {
   const left = new Set(survey.outliers.map((o) => o.node));
   const away = (survey.residuals ?? []).filter((r) => left.has(r.node)).map(lengthOf);
   const over = left.size === 0 ? "" : `, over the ${counted(survey.used - left.size, "target")} in use`;
-  const apart = away.length === 0 ? "" : ` The ${counted(away.length, "target")} excluded as gross errors ${away.length === 1 ? "is" : "are up to"} ${millimetres(Math.max(...away))} mm away.`;
+  const apart = away.length === 0 ? "" : ` ${excludedTargets(away.length)}, up to ${millimetres(Math.max(...away))} mm away.`;
   return `The form predicted with these lengths is ${millimetres(survey.rms_residual)} mm (RMS) from the surveyed one, max ${millimetres(survey.max_residual)} mm${over}.${apart}`;
 }
 
 /** The global test: what the survey's residuals show of its standard deviation, over the one given. */
 function varianceFactor({ survey, diagnostics }: Identification): { factor: number; expected: string; words: string } | null {
   const { ratio = 0, std = 0 } = diagnostics?.noise ?? {};
-  const factor = ratio > 0 ? ratio : (survey.noise_ratio ?? 0);
+  const isTested = ratio > 0 && std > 0;
+  const factor = isTested ? ratio : (survey.noise_ratio ?? 0);
   if (!(factor > 0)) return null;
-  if (!(ratio > 0 && std > 0)) return { factor, expected: "", words: "" };
+  if (!isTested) return { factor, expected: "", words: "" };
   const [low, high] = [Math.max(1 - 1.96 * std, 0), 1 + 1.96 * std];
-  return { factor, expected: ` (expected ${number(low)} to ${number(high)})`, words: factor > high ? "more than" : factor < low ? "less than" : "as expected from" };
+  return { factor, expected: ` (expected ${fixed(low, 2)} to ${fixed(high, 2)})`, words: factor > high ? "more than" : factor < low ? "less than" : "as expected from" };
 }
 
 function varianceWords(result: Identification): string {
   const found = varianceFactor(result);
   if (!found) return "";
   const given = result.noise === undefined ? "standard deviation" : `standard deviation of ${short(1e3 * result.noise)} mm`;
-  return ` Variance factor ${number(found.factor)}${found.expected}${found.words ? `: the survey scatters ${found.words} its ${given}` : ""}.`;
+  return ` Variance factor ${fixed(found.factor, 2)}${found.expected}${found.words ? `: the survey scatters ${found.words} its ${given}` : ""}.`;
 }
 
 /** Tensions by the posterior samples, or why there are none; nothing without samples. */
@@ -124,7 +125,7 @@ export function ofIdentification(result: Identification): Summary {
       { value: millimetres(rootMeanSquare(tense.map((e) => e.length_deviation))), unit: "mm", label: `length deviation, RMS${notSlack}` },
       { value: median, unit: "mm", label: `95 % interval, median${notSlack}` },
       { value: millimetres(survey.rms_residual), unit: "mm", label: "predicted to surveyed, RMS" },
-      ...(factor ? [{ value: number(factor.factor), unit: "", label: `variance factor${factor.expected}` }] : []),
+      ...(factor ? [{ value: fixed(factor.factor, 2), unit: "", label: `variance factor${factor.expected}` }] : []),
       { value: String(survey.outliers.length), unit: "", label: "gross errors, excluded" },
     ],
   };

@@ -10,8 +10,8 @@ import type { FormDeviation, Plan, Turn } from "./result";
 export function planSection(plan: Plan): HTMLElement {
   const { as_built, planned, unconstrained, normal_std } = plan.form;
   const rows: [string, keyof FormDeviation][] = [
-    ["normal deviation, RMS", "normal_rmse"], ["normal deviation, mean", "normal_mean"], ["normal deviation, max", "normal_max"],
-    ["3D deviation, RMS", "rmse"], ["3D deviation, mean", "mean"], ["3D deviation, max", "max"],
+    ["normal, RMS", "normal_rmse"], ["normal, mean", "normal_mean"], ["normal, max", "normal_max"],
+    ["3D, RMS", "rmse"], ["3D, mean", "mean"], ["3D, max", "max"],
   ];
   const std = plan.draws > 0
     ? `The planned form has a std along the normal of ${millimetres(normal_std)} mm (RMS). Another survey reduces it; turning does not.`

@@ -23,7 +23,10 @@ function formSentence(plan: Plan): string {
     return `Nothing to turn: as built, the net is ${millimetres(as_built.normal_rmse)} mm from its target (RMS along the normal), ${why}.`;
   }
   const by = `Turning ${counted(plan.touched, "cable")} by at most ${millimetres(plan.largest_stroke)} mm ${isNearer(plan) ? "brings" : "takes"} the net from ${millimetres(as_built.normal_rmse)} mm to ${millimetres(planned.normal_rmse)} mm from its target (RMS along the normal)`;
-  return `${by}; even with unlimited strokes ${millimetres(unconstrained.normal_rmse)} mm would remain.` + stepWords(plan) + toleranceWords(plan);
+  // The optimum minimises a weighted RMS: this one may be above that of the plan.
+  const remaining = unconstrained.normal_rmse < 0.98 * planned.normal_rmse
+    ? `even with unlimited strokes ${millimetres(unconstrained.normal_rmse)} mm would remain` : "unlimited strokes would bring it no nearer";
+  return `${by}; ${remaining}.` + stepWords(plan) + toleranceWords(plan);
 }
 
 /** What rounding to whole steps of a turn costs. */
@@ -49,7 +52,7 @@ function limitSentence(plan: Plan): string {
   const { tension, draws, feasible } = plan;
   const range = `Tensions are ${kN(tension.least)} to ${kN(tension.most)} kN as planned, and ${kN(tension.least_as_built)} to ${kN(tension.most_as_built)} kN as built.`;
   const given = plan.limits_given === false ? "No limits of tension or reaction were given. " : "";
-  const kept = given ? `No cable goes slack` : "All limits are kept";
+  const kept = given ? "No cable goes slack" : "All limits are kept";
   if (draws > 0) return `${given}${kept} with a probability of ${percent(tension.limit_probability ?? 0)} %${required(plan)}${feasible ? "" : ", which is too low"}. ${range}`;
   const estimate = feasible ? `${kept} by the estimate` : given ? "Cables go slack by the estimate" : "Not all limits are kept by the estimate";
   return `${given}${estimate}; the probability is not known${plan.no_draws_because ? `: ${plan.no_draws_because.replace(/\.$/, "")}` : ""}. ${range}`;
@@ -81,6 +84,7 @@ function aimOf(plan: Plan): string {
 
 export function ofPlan(plan: Plan): Summary {
   const { form, tension, draws } = plan;
+  const probability = `probability that ${plan.limits_given === false ? "no cable goes slack" : "all limits are kept"}`;
   return {
     title: "Which turnbuckle to turn, and how far",
     done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It uses the lengths that were identified from a survey.${aimOf(plan)}`,
@@ -91,8 +95,8 @@ export function ofPlan(plan: Plan): Summary {
       { value: `${number(1e3 * form.as_built.normal_rmse, 2)} → ${number(1e3 * form.planned.normal_rmse, 2)}`, unit: "mm", label: "normal deviation from the target, RMS" },
       { value: `${kN(tension.least)} – ${kN(tension.most)}`, unit: "kN", label: "tension as planned" },
       draws > 0
-        ? { value: percent(tension.limit_probability ?? 0), unit: "%", label: `probability that all limits are kept (required: ${short(100 * plan.options.confidence)} %)` }
-        : { value: "–", unit: "", label: "probability that all limits are kept: not known without posterior samples" },
+        ? { value: percent(tension.limit_probability ?? 0), unit: "%", label: `${probability} (required: ${short(100 * plan.options.confidence)} %)` }
+        : { value: "–", unit: "", label: `${probability}: not known without posterior samples` },
     ],
   };
 }

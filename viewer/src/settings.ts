@@ -52,7 +52,6 @@ export function settingsSection(result: Result): HTMLElement {
   if (result.format === "taut-identification") {
     add("method", result.method);
     add("standard deviation of a coordinate (a priori)", result.noise === undefined ? "" : `${short(1e3 * result.noise)} mm`);
-    add("residuals over their expected size", result.survey.noise_ratio ? number(result.survey.noise_ratio) : "");
     if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("free nodes not surveyed", result.survey.missing);
@@ -77,7 +76,7 @@ export function settingsSection(result: Result): HTMLElement {
   }
   if (result.format === "taut-plan") {
     const { options } = result;
-    add("required probability of the limits", `${percent(options.confidence)} %`);
+    add("required probability of the limits", `${short(100 * options.confidence)} %`);
     add("actuator std", `${short(1e3 * options.actuator)} mm`);
     add("change of length by one turn", options.pitch === null ? "not given" : `${short(1e3 * options.pitch)} mm`);
     add("smallest step", options.step ? `${short(1e3 * options.step)} mm` : "");

@@ -50,7 +50,7 @@ export class Table {
     const head = h("tr");
     columns.forEach((column, i) => {
       const button = h("button", { type: "button", onclick: () => this.sortBy(i) }, column.label, column.unit ? h("small", {}, ` [${column.unit}]`) : null);
-      this.heads.push(h("th", { scope: "col" }, button));
+      this.heads.push(h("th", { scope: "col", class: rowCount > 0 && typeof column.value(0) === "string" ? "text" : "" }, button));
       head.append(this.heads[i]!);
     });
     const table = h("table", { "aria-rowcount": rowCount + 1 }, h("caption", { class: "hidden" }, caption), h("thead", {}, head), this.body);
