@@ -12,6 +12,8 @@ set(viewer_dir ${PROJECT_SOURCE_DIR}/viewer)
 if(TAUT_BUILD_VIEWER)
     set(viewer_page ${PROJECT_BINARY_DIR}/viewer/page.html)
     file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer_dir}/src/*.ts)
+    # Types, which type checks make from the schema: they are not in the bundle.
+    list(FILTER viewer_sources EXCLUDE REGEX result_schema)
     foreach(file build.mjs licences.mjs page.html style.css package.json)
         list(APPEND viewer_sources ${viewer_dir}/${file})
     endforeach()

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 #
-# Checks licence lines, rooms, format, and by clang-tidy what has changed, or all with --all. Fails when
-# one of them does, after all of them. Where all has passed, .ci/checked names the commit, which is to be
-# committed: from then on what has changed since is looked at.
+# Checks licence lines, rooms, format, the viewer's types and imports, and by clang-tidy what has changed, or
+# all with --all. Fails when one of them does, after all of them. Where all has passed, .ci/checked names the
+# commit, which is to be committed: from then on what has changed since is looked at.
 # Usage: scripts/lint.sh [--all]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -107,6 +107,14 @@ clang_tidy() {
         "$folder" "$checks"
 }
 
+# Types and import circles of the report's viewer.
+check_viewer() (
+    cd viewer || exit
+    [[ -d node_modules/typescript ]] ||
+        npm ci --ignore-scripts --no-audit --no-fund --loglevel=error || exit
+    npm run --silent check
+)
+
 step "licence lines" check_licence_lines
 step "rooms" /usr/bin/python3 scripts/check_rooms.py
 step "rooms, self-test" /usr/bin/python3 scripts/check_rooms.py --self-test
@@ -116,6 +124,7 @@ step "links" /usr/bin/python3 scripts/check_links.py
 step "links, self-test" /usr/bin/python3 scripts/check_links.py --self-test
 step "format" clang-format-19 --dry-run --Werror "${sources[@]}"
 step "Python" scripts/python.sh lint
+step "viewer" check_viewer
 step "names and bugs" clang_tidy
 if [[ $all && $status == 0 && -z "$(git status --porcelain)" ]]; then
     git rev-parse HEAD >.ci/checked

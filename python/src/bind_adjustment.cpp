@@ -27,7 +27,7 @@
 #include "states.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
-#include "taut/adjustment/further_edges.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
@@ -130,10 +130,10 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
                                        .actuator_std = options.actuator_std,
                                        .seed = options.seed},
                                       reporter);
-        std::optional<std::vector<FurtherEdge>> suggested;
+        std::optional<std::vector<SuggestedEdge>> suggested;
         if (suggest_adjustable > 0) {
             suggested =
-                further_edges(built, form, limits, options, plan, suggest_adjustable, reporter);
+                suggested_edges(built, form, limits, options, plan, suggest_adjustable, reporter);
         }
         return Planned{.net = net,
                        .built = std::move(built),

@@ -139,7 +139,7 @@ TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggest
             normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
 TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
 TAUT_FIELDS(WorstStep, step, breach)
-TAUT_FIELDS(TurnOrder, turns, passes, walk, safe_probability, is_safe, worst)
+TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)
 TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, suggested_adjustable,
             crews, thread)
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "taut/adjustment/built_net.hpp"
-#include "taut/adjustment/further_edges.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
@@ -25,7 +25,7 @@ struct Planned {
     PlanOptions options;
     Plan plan;
     TurnOrder order;
-    std::optional<std::vector<FurtherEdge>> suggested_adjustable;
+    std::optional<std::vector<SuggestedEdge>> suggested_adjustable;
     int crews = 1;
     std::optional<Thread> thread;
 };

@@ -42,7 +42,7 @@ constexpr Renamed renamed_keys[] = {
     {"", "further", "suggested_adjustable"},
     {"", "survey_first", "suggested_targets"},
     {"suggested_targets/targets/*", "normal_unknown", "normal_std"},
-    {"", "no_draws_because", "no_draws_because"},
+    {"", "no_draws_since", "no_draws_because"},
     // taut-control
     {"settings", "law", "prior"},
 };

@@ -49,6 +49,13 @@ export interface Chart {
   markOf?(item: Item, places: Places): SVGElement | null;
 }
 
+/** Charts that stand side by side, where there is room, above one caption. */
+export interface Figure {
+  heading: string;
+  charts: Chart[];
+  caption: string;
+}
+
 export const wideWidth = 960;
 export const halfWidth = 480;
 const rowHeight = 18;
@@ -58,7 +65,7 @@ const mostPlanHeight = 420;
 
 const round = (place: number): string => place.toFixed(1);
 
-/** Many dots as one element; dots beyond the view are left away. */
+/** Many dots as one element, without those outside the view. */
 export function dots(points: Iterable<readonly [number, number]>, colour: string, width: number, view: View): Plot.RenderFunction {
   return (_index, scales) => {
     const [x, y] = [scales.x!, scales.y!] as unknown as ((value: number) => number)[];
@@ -136,7 +143,7 @@ function tickStep(largest: number, count: number): number {
 /** Between bounds, in their order whichever axis they are of. */
 const within = ([low, high]: [number, number], [least, most]: [number, number]): [number, number] => [Math.max(low, least), Math.min(high, most)];
 
-/** A chart with its tools: it zooms to what is drawn over, tells of what is pointed at, and can be saved. */
+/** A chart with its tools: it zooms to a drawn box, reports the item at the pointer, and can be saved. */
 class DrawnChart {
   readonly element: HTMLElement;
   private readonly chart: Chart;
@@ -220,7 +227,7 @@ class DrawnChart {
     this.mark();
   }
 
-  /** What goes beyond the frame is cut there. */
+  /** Clips the drawing at its frame. */
   private clip(drawing: SVGSVGElement): void {
     const { left, right, top, bottom } = this.frame;
     const id = `frame-${this.chart.name}`;

@@ -5,12 +5,12 @@ export type Rgb = readonly [number, number, number];
 
 const hex = (text: string): Rgb => [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16) / 255) as unknown as Rgb;
 
-// Both maps are read alike with every kind of colour vision. Viridis grows evenly brighter; the
+// Both maps work with every kind of colour vision. Viridis grows evenly brighter; the
 // other parts blue from orange, with a grey between them that stands out from light and dark.
 const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"].map(hex);
 const diverging = ["#0b4f9e", "#2f7fc4", "#79b0dc", "#b9bfc4", "#e9a95c", "#d8731b", "#9a4300"].map(hex);
 
-/** After Okabe and Ito, who chose them to be told apart with every kind of colour vision. */
+/** After Okabe and Ito, distinguishable with every kind of colour vision. */
 export const palette = {
   grey: hex("#8a949e"),
   orange: hex("#d55e00"),

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import * as Plot from "@observablehq/plot";
-import type { Chart } from "./chart";
-import type { Figure } from "./figures";
+import type { Chart, Figure } from "./chart";
 import { short } from "./format";
 import { type Ink, ink } from "./inks";
 import type { Comparison, ComparisonRow } from "./result";
@@ -19,7 +18,7 @@ interface Series {
 
 const inks: Ink[] = ["blue", "orange", "green", "magenta", "brown", "dim"];
 
-/** By place; the first row of each counts. An error of 0 has no logarithm. */
+/** By place; the first row of each counts. An error of 0 has no logarithm and is skipped. */
 function pointsOf(rows: Rows, place: (row: ComparisonRow) => number | null, key: "mse" | "best_possible_mse"): [number, number][] {
   const points = new Map<number, number>();
   for (const row of rows) {
@@ -29,13 +28,13 @@ function pointsOf(rows: Rows, place: (row: ComparisonRow) => number | null, key:
   return [...points].sort(([a], [b]) => a - b);
 }
 
-/** A curve for each method, then the best possible. @param all methods, each of which keeps its ink where it has no curve */
+/** A curve for each method, then the Cramér-Rao bound. @param all methods, each of which keeps its ink where it has no curve */
 function seriesOver(all: string[], rows: Rows, place: (row: ComparisonRow) => number | null): Series[] {
   const own = all.map((name, i): Series => ({ name, ink: inks[i % inks.length]!, dashed: false, points: pointsOf(rows.filter((r) => r.method === name), place, "mse") }));
-  return [...own, { name: "best possible", ink: "ink" as const, dashed: true, points: pointsOf(rows, place, "best_possible_mse") }].filter((s) => s.points.length > 0);
+  return [...own, { name: "Cramér-Rao bound", ink: "ink" as const, dashed: true, points: pointsOf(rows, place, "best_possible_mse") }].filter((s) => s.points.length > 0);
 }
 
-/** Which values of one kind go with each of another. */
+/** The values of one key that occur with each value of another. */
 function partners(rows: Rows, of: (row: ComparisonRow) => number | null, other: (row: ComparisonRow) => number | null): Map<number, Set<number>> {
   const result = new Map<number, Set<number>>();
   for (const row of rows) {
@@ -47,7 +46,7 @@ function partners(rows: Rows, of: (row: ComparisonRow) => number | null, other: 
   return result;
 }
 
-/** The value with the most different partners: the one that the others were held at. Of several the one that comes first. */
+/** The value with the most different partners: the one at which the other key was varied. Of several the one that comes first. */
 function mostVaried(all: Map<number, Set<number>>, isBefore: (a: number, b: number) => boolean): number {
   return [...all].reduce((best, next) =>
     next[1].size > best[1].size || (next[1].size === best[1].size && isBefore(next[0], best[0])) ? next : best)[0];
@@ -72,7 +71,7 @@ function errorChart(name: string, title: string, xLabel: string, series: Series[
   const [least, most] = positive.length > 0 ? [positive[0]!, positive.at(-1)!] : [0, 0];
   const place = (x: number): number => (linear ? x : x > 0 ? Math.log10(x) : least - zeroGap * Math.max(most - least, 1));
   const isApart = (x: number): boolean => !linear && !(x > 0);
-  // Far below the others, as errors of a survey without noise are: told in words.
+  // Errors of a survey without noise are far below the others: they are given as text.
   const lowest = Math.min(...series.flatMap((s) => s.points.filter(([x]) => !isApart(x)).map(([, y]) => y))) / 3;
   const isDrawn = ([, y]: [number, number]): boolean => !Number.isFinite(lowest) || y >= lowest;
   const drawn = series.flatMap((s) => s.points.filter(isDrawn).map(([, y]) => Math.log10(y)));
@@ -95,7 +94,7 @@ function errorChart(name: string, title: string, xLabel: string, series: Series[
         Plot.gridY({ stroke: ink("grid"), strokeOpacity: 1 }),
         Plot.axisX(xs.map(place).filter((x) => x >= view.x[0] && x <= view.x[1]), { label: xLabel, labelAnchor: "center", labelArrow: "none", tickFormat: (x: number) => labels.get(x) ?? "" }),
         ...series.flatMap((s, i) => {
-          // Thinner from curve to curve: of two in one place both are seen.
+          // Each curve is thinner than the one before, so that coinciding curves are both visible.
           const width = 1.4 + 0.7 * (series.length - 1 - i);
           const points = s.points.filter(isDrawn).map(([x, y]) => ({ x: place(x), y, joined: !isApart(x) }));
           return [
@@ -112,7 +111,7 @@ function errorChart(name: string, title: string, xLabel: string, series: Series[
   }];
 }
 
-/** Rows of one noise and one number of training samples for which most shares of hidden nodes were tried; none where that is but one. */
+/** Rows of the noise and number of training samples with the most shares of hidden nodes; none where there is only one share. */
 function hiddenVaried(rows: Rows): Rows {
   const hidden = partners(rows, noiseOf, hiddenOf);
   const noise = mostVaried(hidden, less);
@@ -124,7 +123,7 @@ function hiddenVaried(rows: Rows): Rows {
   return new Set(some.map(hiddenOf)).size > 1 ? some : [];
 }
 
-/** Mean squared error of each method over the noise of the survey, the number of training samples and the share of hidden nodes. */
+/** Error of each method over the noise of the survey, the number of training samples and the share of hidden nodes. */
 export function comparisonFigures({ rows: all }: Comparison): Figure[] {
   if (all.length === 0) return [];
   const methods = [...new Set(all.map((row) => row.method))];
@@ -132,7 +131,7 @@ export function comparisonFigures({ rows: all }: Comparison): Figure[] {
   const rows = all.filter((row) => hiddenOf(row) <= leastHidden);
   const inMm = (row: ComparisonRow): number => 1e3 * row.noise;
   const overNoise = (some: Rows, label: string): Chart[] =>
-    errorChart("error_over_noise", "Error of each method over the noise of the survey", `noise of a surveyed coordinate [mm]${label}`, seriesOver(methods, some, inMm));
+    errorChart("error_over_noise", "Error of each method over the standard deviation of the survey", `standard deviation of a surveyed coordinate [mm]${label}`, seriesOver(methods, some, inMm));
   const charts: Chart[] = [];
   const noises = partners(rows, trainingOf, noiseOf);
   if (noises.size === 0) {
@@ -143,19 +142,19 @@ export function comparisonFigures({ rows: all }: Comparison): Figure[] {
     const trainings = partners(rows, noiseOf, trainingOf);
     const noise = mostVaried(trainings, lowestNoise);
     const places = [...trainings.get(noise)!].sort((a, b) => a - b);
-    // A method that learns from no samples is as good with any number: a level line.
+    // A method without training does not depend on their number: a level line.
     const levelled = rows.filter((row) => row.noise === noise).flatMap((row): Rows =>
       trainingOf(row) !== null ? [row] : [places[0]!, places.at(-1)!].map((training_samples) => ({ ...row, training_samples })));
-    charts.push(...errorChart("error_over_training", "Error of each method over the number of training samples", `training samples, at a noise of ${short(1e3 * noise)} mm`, seriesOver(methods, levelled, trainingOf)));
+    charts.push(...errorChart("error_over_training", "Error of each method over the number of training samples", `training samples, survey std ${short(1e3 * noise)} mm`, seriesOver(methods, levelled, trainingOf)));
   }
   const overHidden = hiddenVaried(all);
   if (overHidden.length > 0) {
-    charts.push(...errorChart("error_over_hidden", "Error of each method over the share of hidden nodes", `nodes not surveyed [%], at a noise of ${short(1e3 * overHidden[0]!.noise)} mm`,
+    charts.push(...errorChart("error_over_hidden", "Error of each method over the share of nodes not surveyed", `nodes not surveyed [%], survey std ${short(1e3 * overHidden[0]!.noise)} mm`,
       seriesOver(methods, overHidden, (row) => 100 * hiddenOf(row)), true));
   }
   return [{
     heading: "Error of each method", charts,
-    caption: "Root of the mean squared error of the identified lengths. The best possible is the posterior standard deviation of the problem linearised at the truth: to first order, no " +
-      "method can do better in the mean. Level lines over the number of training samples: methods that learn from none.",
+    caption: "Root mean squared error of the identified lengths. The Cramér-Rao bound is the posterior standard deviation of the problem linearised at the truth: to first order, no " +
+      "method has a smaller mean error. Lines are level over the number of training samples for methods without training.",
   }];
 }

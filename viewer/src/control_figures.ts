@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: MIT
 
 import * as Plot from "@observablehq/plot";
-import { type Chart, type Line, lines } from "./chart";
-import type { Figure } from "./figures";
+import { type Chart, type Figure, type Line, lines } from "./chart";
 import { counted } from "./format";
 import { type Ink, ink } from "./inks";
 import type { Control, ControlRound, ControlStrategy } from "./result";
 
-// Grey and dashed are told from the two hues by lightness and shape.
+// Grey and dashed differ from the two hues by lightness and shape.
 const styles: Record<ControlStrategy["strategy"], { ink: Ink; dashed?: boolean; words: string }> = {
-  "true lengths": { ink: "ink", dashed: true, words: "true lengths: the best that turning can do" },
+  "true lengths": { ink: "ink", dashed: true, words: "true lengths: bound for all others" },
   identified: { ink: "blue", words: "identified: lengths from each round's survey" },
-  design: { ink: "orange", words: "design: each survey, nothing identified" },
-  "design, once": { ink: "dim", words: "design, once: turned in round 1 alone" },
+  design: { ink: "orange", words: "design: each survey, design lengths" },
+  "design, once": { ink: "dim", words: "design, once: turned in round 1 only" },
 };
 
 /** Between sorted values, linearly. @param part 0: the least, 1: the most */
@@ -23,7 +22,7 @@ function quantileOf(sorted: number[], part: number): number {
   return sorted[below]! + (place - below) * (sorted[above]! - sorted[below]!);
 }
 
-/** Jobs below which a middle half says nothing that the range does not. */
+/** With fewer jobs the middle half shows no more than the range. */
 const leastForQuartiles = 4;
 
 /** Distances of each job after a round [mm], ascending. */
@@ -45,7 +44,7 @@ interface RoundChart {
 /** One line a strategy over the rounds, which stand side by side at each round. */
 function roundChart(spec: RoundChart, { strategies }: Control): Chart {
   const last = strategies[0].rounds.length - 1;
-  // Beside each other, so that those of equal value are all seen.
+  // Side by side, so that equal values are all visible.
   const placeOf = (strategy: number, round: number): number => round + 0.1 * (strategy - (strategies.length - 1) / 2);
   const bounded = (value: number): number => (spec.log ? Math.max(value, spec.range[0]) : value);
   const rounds = Array.from({ length: last - spec.first + 1 }, (_, i) => spec.first + i);
@@ -80,7 +79,7 @@ function roundChart(spec: RoundChart, { strategies }: Control): Chart {
   };
 }
 
-/** Least and largest distance of any job [mm]. One far below the others would press these together. */
+/** Least and largest distance of any job [mm]; a value far below the others is cut, as it would compress the scale. */
 function distanceRange({ strategies }: Control): [number, number] | null {
   const all = strategies.flatMap((s) => [...s.states.map((state) => state.normal_rmse), ...s.rounds.map((round) => round.normal_rmse)]);
   const most = all.reduce((a, b) => Math.max(a, b), 0);
@@ -93,30 +92,30 @@ export function controlFigures(control: Control): Figure[] {
   const { trials } = control.settings;
   const rounds = control.strategies.flatMap((s) => s.rounds);
   const failed = rounds.reduce((sum, round) => sum + round.failed, 0);
-  const failures = failed === 0 ? "" : ` Where nothing could be planned, ${failed === 1 ? "1 time" : `${failed} times`} over all jobs, nothing was turned; these are among the others.`;
+  const failures = failed === 0 ? "" : ` ${failed === 1 ? "1 plan" : `${failed} plans`} of all jobs failed; nothing was turned then, and these are included.`;
   const share = (round: ControlRound): number => (100 * round.broken_trials) / trials;
   const turned = (round: ControlRound): number => 1e3 * round.turned;
   const upTo = (value: (round: ControlRound) => number, least: number): [number, number] => [0, Math.max(1.06 * Math.max(...rounds.map(value)), least)];
   const range = distanceRange(control);
   const spread = trials === 1
-    ? ", so that nothing is told of how much jobs differ."
-    : `; thin lines go from the least to the most of a job${trials >= leastForQuartiles ? ", thick ones over the middle half of the jobs." : "."}`;
+    ? "; one job does not show how much jobs differ."
+    : `; thin lines are the range of the jobs${trials >= leastForQuartiles ? ", thick ones the middle half." : "."}`;
   return [
     {
-      heading: "Distance from the target",
+      heading: "Deviation from the target",
       charts: [roundChart({
-        name: "control_form", title: "Distance from the target along its normal, after each round", yLabel: "along the normal, RMS [mm]", wide: true,
+        name: "control_form", title: "Normal deviation from the target, after each round", yLabel: "normal deviation, RMS [mm]", wide: true,
         first: 0, range: range ?? [0, 1], log: range !== null, value: (round) => 1e3 * round.normal_rmse, spread: trials > 1,
       }, control)],
-      caption: `Distance of the true form from the target along its normal${range ? ", on a logarithmic scale" : ""}: dots are the root mean square over all nodes and ${counted(trials, "job")}${spread}${failures}`,
+      caption: `Normal deviation of the true form from the target${range ? ", on a logarithmic scale" : ""}: dots are the root mean square over all nodes and ${counted(trials, "job")}${spread}${failures}`,
     },
     {
-      heading: "Broken limits, and the work",
+      heading: "Broken limits and work",
       charts: [
         roundChart({ name: "control_limits", title: "Share of jobs in which a limit is broken, after each round", yLabel: "jobs with a broken limit [%]", first: 0, range: upTo(share, 10), value: share }, control),
-        roundChart({ name: "control_strokes", title: "Strokes turned in each round", yLabel: "strokes of a round, in all [mm]", first: 1, range: upTo(turned, 1), value: turned }, control),
+        roundChart({ name: "control_strokes", title: "Strokes turned in each round", yLabel: "sum of the strokes of a round [mm]", first: 1, range: upTo(turned, 1), value: turned }, control),
       ],
-      caption: `The share of ${counted(trials, "job")} in which the true tension of an edge is beyond a limit; and the sizes of the strokes of a round, added up over all turnbuckles, mean of the jobs.${failures}`,
+      caption: `Share of ${counted(trials, "job")} in which the true tension of an edge exceeds a limit; and the sum of all strokes of a round, mean of the jobs.${failures}`,
     },
   ];
 }

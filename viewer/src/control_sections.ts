@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { plainTable } from "./details";
 import { h, section } from "./dom";
 import { fixed } from "./format";
+import { plainTable } from "./plain_table";
 import type { Control, ControlRound } from "./result";
 
-/** The rounds as the program tells them in the terminal. */
+/** All rounds, as the program prints them. */
 export function roundsSection(control: Control): HTMLElement {
   const { settings } = control;
   const kN = (newton: number): string => fixed(newton / 1e3, 2);
@@ -21,10 +21,10 @@ export function roundsSection(control: Control): HTMLElement {
   const rows = control.strategies.flatMap((s) =>
     s.rounds.slice(1, s.strategy === "design, once" ? 2 : undefined).map((round) => row(s.strategy, round)));
   return section("rounds", "All rounds",
-    plainTable("All rounds, by what was planned on",
-      ["planned on", "round", "from target, mean [mm]", "from target, max [mm]", "along normal, mean [mm]", "along normal, max [mm]", "along normal, RMS [mm]",
-        "least tension [kN]", "most tension [kN]", "limits broken", "by at most [%]", "strokes [mm]", "not planned"],
+    plainTable("All rounds, by the lengths that were planned on",
+      ["planned on", "round", "3D, mean [mm]", "3D, max [mm]", "normal, mean [mm]", "normal, max [mm]", "normal, RMS [mm]",
+        "tension, min [kN]", "tension, max [kN]", "limits broken", "excess, max [%]", "strokes [mm]", "failed plans"],
       [row("as built", control.strategies[0]!.rounds[0]!), ...rows]),
-    h("p", { class: "quiet" }, "Means are over nodes and jobs; largest distances, tensions and excess those of any job. “Design, once” stays as it is after its round. ",
-      "The confidence with which limits are to hold applies to plans on identified lengths: the others know nothing of how sure they are."));
+    h("p", { class: "quiet" }, "3D and normal deviations are from the target. Means are over nodes and jobs; minima and maxima are those of any job. “Design, once” does not change after its round. ",
+      "The required probability of keeping limits applies only to plans on identified lengths; the others have no uncertainty."));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-/** A cell; text that a spreadsheet would take for a formula is led by an apostrophe. */
+/** A cell; text that a spreadsheet would run as a formula gets a leading apostrophe. */
 function cell(value: number | string): string {
   if (typeof value === "number") return Number.isFinite(value) ? String(value) : "";
   const safe = /^[=+\-@\t\r]/.test(value) && !Number.isFinite(Number(value)) ? `'${value}` : value;
@@ -13,7 +13,7 @@ export function csvOf(head: string[], rows: (number | string)[][]): string {
   return [head, ...rows].map((row) => row.map(cell).join(",")).join("\r\n") + "\r\n";
 }
 
-/** Hands a text to the reader as a file. */
+/** Offers a text as a file for download. */
 export function download(name: string, text: string, type = "text/csv"): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));

@@ -35,7 +35,7 @@ export function around(...values: Iterable<number>[]): [number, number] {
 /** Edges are counted from 1; a mark left of that or in between would be none of them. */
 const edgeNumber = (value: number): string => (Number.isInteger(value) && value > 0 ? String(value) : "");
 
-/** Edges i = 1, 2, ... along x; pointing at one tells it. */
+/** Edges i = 1, 2, ... along x, which can be pointed at and selected. */
 export function edgeChart(spec: EdgeChart, model: Model): Chart {
   const count = model.charted.length;
   const border = 0.5 + 0.008 * count;

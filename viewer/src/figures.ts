@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { type Chart, chartElement } from "./chart";
+import { chartElement, type Figure } from "./chart";
 import { comparisonFigures } from "./comparison_figures";
 import { controlFigures } from "./control_figures";
 import { h, section } from "./dom";
@@ -13,13 +13,6 @@ import type { Result } from "./result";
 import type { Selection } from "./selection";
 import { studyFigures } from "./study_figures";
 
-/** Charts that stand side by side, where there is room, above one caption. */
-export interface Figure {
-  heading: string;
-  charts: Chart[];
-  caption: string;
-}
-
 function figuresOf(result: Result, model: Model | null): Figure[] {
   switch (result.format) {
     case "taut-study": return studyFigures(result, model!);
@@ -30,12 +23,12 @@ function figuresOf(result: Result, model: Model | null): Figure[] {
   }
 }
 
-/** All figures that a result has. */
+/** All figures of a result. */
 export function figuresSection(result: Result, model: Model | null, selection: Selection): HTMLElement {
   document.head.append(h("style", {}, inkStyle()));
   const all = figuresOf(result, model).filter((figure) => figure.charts.length > 0);
   return section("figures", "Figures",
-    h("p", { class: "quiet no-print" }, "Draw a box over a chart to look closer, double-click to see the whole again."),
+    h("p", { class: "quiet no-print" }, "Draw a box over a chart to zoom in; double-click to see all of it."),
     ...all.map(({ heading, charts, caption }) => h("figure", {},
       h("h3", {}, heading),
       h("div", { class: "drawings" }, ...charts.map((chart) => chartElement(chart, selection))),

@@ -37,5 +37,8 @@ export function counted(count: number, noun: string): string {
   return `${text} ${noun}${count === 1 ? "" : "s"}`;
 }
 
+/** "2 targets excluded as gross errors". */
+export const excludedTargets = (count: number): string => `${counted(count, "target")} excluded as ${count === 1 ? "a gross error" : "gross errors"}`;
+
 /** NaN of none. */
 export const rootMeanSquare = (values: number[]): number => Math.sqrt(values.reduce((sum, v) => sum + v * v, 0) / values.length);

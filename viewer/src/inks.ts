@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-// Hues after Okabe and Ito, who chose them to be told apart with every kind of colour vision: each
+// Hues after Okabe and Ito, distinguishable with every kind of colour vision: each
 // on white, and on the dark page.
 const pairs = {
   ink: ["#222222", "#dddddd"],

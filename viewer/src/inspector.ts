@@ -29,15 +29,15 @@ function rows(model: Model, item: Item): [string, string][] {
     const [s, t] = [model.ends[2 * item.index]!, model.ends[2 * item.index + 1]!];
     return [
       ["nodes", `${model.nodeId(s)} – ${model.nodeId(t)}`],
-      ["nominal unstressed length", `${fixed(model.unstressed[item.index]!, 4)} m`],
+      ["design unstressed length", `${fixed(model.unstressed[item.index]!, 4)} m`],
       ...own,
     ];
   }
   const [x, y, z] = model.form.subarray(3 * item.index, 3 * item.index + 3);
-  return [["place x, y, z", `${fixed(x!, 3)}, ${fixed(y!, 3)}, ${fixed(z!, 3)} m`], ...own, ...(model.remarks.get(item.index) ?? [])];
+  return [["position x, y, z", `${fixed(x!, 3)}, ${fixed(y!, 3)}, ${fixed(z!, 3)} m`], ...own, ...(model.remarks.get(item.index) ?? [])];
 }
 
-/** All that the result tells of the edge or node that is selected. */
+/** All values of the selected edge or node. */
 export function inspector(model: Model, selection: Selection): HTMLElement {
   const box = h("div", { class: "inspector", role: "status", "aria-live": "polite" });
   const draw = (): void => {
@@ -54,7 +54,7 @@ export function inspector(model: Model, selection: Selection): HTMLElement {
   return box;
 }
 
-/** A small label beside the pointer, with the value that is shown in colour. */
+/** A label beside the pointer, with the value that is shown in colour. */
 export function tooltip(model: Model, selection: Selection, shown: () => Quantity | null): HTMLElement {
   const box = h("div", { class: "tooltip no-print", "aria-hidden": "true" });
   box.hidden = true;

@@ -6,7 +6,7 @@ import { h } from "./dom";
 import { millimetres, short } from "./format";
 import { type Model, type Quantity, rangeOf } from "./model";
 
-/** The key to a quantity's colours: a bar with numbers and unit, or names. */
+/** Legend of a quantity's colours: a bar with numbers and unit, or names. */
 export function legend(model: Model, quantity: Quantity): HTMLElement {
   const box = h("div", { class: "legend", role: "img" });
   if (quantity.kind === "names") {
@@ -34,7 +34,7 @@ export function legend(model: Model, quantity: Quantity): HTMLElement {
   return box;
 }
 
-/** The key to the arrows at what is to be turned. */
+/** Legend of the arrows at the turnbuckles. */
 export function strokeLegend(model: Model): HTMLElement {
   const strokes = [...model.strokes.values()];
   const entry = (text: string, colour: typeof palette.blue, count: number): HTMLElement => {
@@ -43,7 +43,7 @@ export function strokeLegend(model: Model): HTMLElement {
     return h("span", { class: "name" }, arrow, `${text} (${count})`);
   };
   return h("div", { class: "legend strokes" },
-    entry("shorten: out of the net", palette.blue, strokes.filter((s) => s < 0).length),
-    entry("lengthen: into it", palette.orange, strokes.filter((s) => s > 0).length),
+    entry("shorten", palette.blue, strokes.filter((s) => s < 0).length),
+    entry("lengthen", palette.orange, strokes.filter((s) => s > 0).length),
     h("div", { class: "unit" }, `longest arrow: ${millimetres(Math.max(...strokes.map(Math.abs)))} mm of stroke`));
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { roundsSection } from "./control_sections";
-import { comparisonSection, frameSection, listsSection, paperSection, settingsSection } from "./details";
+import { comparisonSection, frameSection, listsSection, paperSection } from "./details";
 import { byId, h } from "./dom";
 import { figuresSection } from "./figures";
 import { type Model, modelOfIdentification, modelOfStudy } from "./model";
@@ -11,6 +11,7 @@ import { modelOfPlan } from "./plan_model";
 import { crewsSection, planSection } from "./plan_sections";
 import { readResult, type Result } from "./result";
 import { Selection } from "./selection";
+import { settingsSection } from "./settings";
 import { summary } from "./summary";
 import { tablesSection } from "./tables";
 
@@ -20,7 +21,7 @@ function modelOf(result: Result): Model | null {
   return result.format === "taut-identification" ? modelOfIdentification(result) : null;
 }
 
-/** Quantities that view and tables begin with. */
+/** Quantities shown first in view and tables. */
 const firstShown = {
   "taut-study": { edge: "identified", node: "form_identified" },
   "taut-identification": { edge: "identified", node: "form_predicted" },
@@ -70,7 +71,7 @@ async function run(): Promise<void> {
     document.body.dataset.ready = "true";
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    byId("report").prepend(h("p", { class: "failure", role: "alert" }, `This report cannot be shown: ${message}. Make it again with “taut report RESULT -o report.html”.`));
+    byId("report").prepend(h("p", { class: "failure", role: "alert" }, `This report cannot be shown: ${message}. Create it again with “taut report RESULT -o report.html”.`));
   }
 }
 

@@ -3,17 +3,17 @@
 
 import { palette, type Rgb } from "./colours";
 import { number } from "./format";
-import { type Identification, isSlack, lengthOf, type NetFile, type Status, statusNow, type Study } from "./result";
+import { type Identification, isSlack, lengthOf, type NetFile, type Status, statusOf, type Study } from "./result";
 
 /** A number for each edge or node, in the unit it is shown in; NaN where there is none. */
 export interface Quantity {
   key: string;
   label: string;
   unit: string;
-  /** Its name where there is little room. */
+  /** A short label for table heads. */
   head?: string;
   of: "edge" | "node";
-  /** Told by colour on a scale from 0, on one around 0, or by names: values are then their indices. */
+  /** Colour scale from 0, scale around 0, or names: values are then their indices. */
   kind: "sequential" | "diverging" | "names";
   values: Float64Array;
   names?: { text: string; colour: Rgb }[];
@@ -26,7 +26,7 @@ export interface Quantity {
   scale?: string;
 }
 
-/** A form and how another one departs from it. */
+/** A form and the displacements to another one. */
 export interface Displacement {
   label: string;
   base: Float32Array;
@@ -35,7 +35,7 @@ export interface Displacement {
   scale?: string;
 }
 
-/** A net with all that a result tells of it, the same for every kind of result. */
+/** A net with all quantities of a result, the same for every kind of result. */
 export interface Model {
   nodeCount: number;
   edgeCount: number;
@@ -48,9 +48,9 @@ export interface Model {
   quantities: Quantity[];
   displacements: Displacement[];
   unstressed: number[];
-  /** What else is told of a node when it is selected: name and text. */
+  /** More lines of the inspector for a node: name and text. */
   remarks: Map<number, [string, string][]>;
-  /** Change of length of the edges that are to be turned, drawn as arrows; empty where that is not told [m]. */
+  /** Change of length of the edges to be turned, drawn as arrows; empty without a plan [m]. */
   strokes: Map<number, number>;
   nodeId(node: number): string;
   edgeId(edge: number): string;
@@ -127,8 +127,8 @@ function tensionAndStrain(net: NetFile, tension: number[], which: string, key: s
 
 const statusNames = [
   { text: "determined", colour: palette.blue },
-  { text: "weakly_determined", colour: palette.green },
-  { text: "not_determined", colour: palette.yellow },
+  { text: "weakly determined", colour: palette.green },
+  { text: "not determined", colour: palette.yellow },
   { text: "slack", colour: palette.orange },
   { text: "adjustable", colour: palette.grey },
 ];
@@ -166,12 +166,12 @@ export function modelOfStudy(study: Study): Model {
   model.displacements = [
     { label: "true form, from nominal", base: model.form, vectors: difference(sample.true_form, study.nominal_form) },
     { label: "identified form, from nominal", base: model.form, vectors: difference(sample.identified_form, study.nominal_form) },
-    { label: "what is left: true, from identified", base: flat(sample.identified_form), vectors: difference(sample.true_form, sample.identified_form) },
+    { label: "remaining: true, from identified", base: flat(sample.identified_form), vectors: difference(sample.true_form, sample.identified_form) },
   ];
   return model;
 }
 
-/** What the draws of the posterior tell of each edge; nothing without them. */
+/** Tensions by the posterior samples; nothing without them. */
 function drawnQuantities(result: Identification, model: Model): Quantity[] {
   const edges = [...result.edges, ...(result.adjustable_edges ?? [])];
   if (!edges.some((e) => typeof e.tension === "number")) return [];
@@ -184,7 +184,7 @@ function drawnQuantities(result: Identification, model: Model): Quantity[] {
   const kN = 1e-3;
   return [
     quantity({
-      key: "drawn_tension", label: "tension, mean over the draws", head: "tension", unit: "kN", of: "edge", kind: "sequential", decimals: 3, scale: "tension", fromLowest: true,
+      key: "drawn_tension", label: "tension, posterior mean", head: "tension", unit: "kN", of: "edge", kind: "sequential", decimals: 3, scale: "tension", fromLowest: true,
       values: of("tension", kN), interval: { lower: of("tension_lower", kN), upper: of("tension_upper", kN) },
     }),
     quantity({ key: "drawn_tension_std", label: "standard deviation of the tension", head: "std of tension", unit: "kN", of: "edge", kind: "sequential", decimals: 3, values: of("tension_std", kN) }),
@@ -201,16 +201,16 @@ export function modelOfIdentification(result: Identification): Model {
     spread(model.edgeCount, edges.map((e) => e.edge), edges.map((e) => e[key]));
   const tense = result.edges.filter((e) => !isSlack(e));
   const slack = result.edges.filter(isSlack);
-  const statusOf = new Map(result.edges.map((e) => [e.edge, statusNow(e)]));
+  const statusByEdge = new Map(result.edges.map((e) => [e.edge, statusOf(e)]));
   const fromNominal = difference(result.form, net.nodes);
   model.quantities.push(
-    statusQuantity(model, (e) => statusOf.get(e) ?? "not_determined"),
+    statusQuantity(model, (e) => statusByEdge.get(e) ?? "not_determined"),
     quantity({
       key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
       values: of("length_deviation", tense), interval: { lower: of("lower", tense), upper: of("upper", tense) },
     }),
     ...(slack.length > 0 ? [quantity({
-      key: "bound", label: "length deviation of a slack edge, at least", head: "slack: at least", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
+      key: "bound", label: "length deviation of a slack edge, lower bound", head: "slack: lower bound", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
       values: of("lower", slack),
     })] : []),
     quantity({ key: "std", label: "standard deviation of the identified length", head: "std", unit: "mm", of: "edge", kind: "sequential", decimals: 3, values: of("std") }),
@@ -224,14 +224,14 @@ export function modelOfIdentification(result: Identification): Model {
   if (outliers.length > 0) {
     const distance = outliers.map((o) => o.distance ?? NaN);
     model.quantities.push(quantity({
-      key: "outlier", label: "gross error, from where all others tell", head: "gross error", unit: "mm", of: "node", kind: "sequential", decimals: 3,
+      key: "outlier", label: "gross error, from the place predicted by all others", head: "gross error", unit: "mm", of: "node", kind: "sequential", decimals: 3,
       values: spread(model.nodeCount, outliers.map((o) => o.node), distance),
     }));
   }
   for (const { node, statistic } of outliers) {
     if (statistic === undefined) continue;
-    const threshold = outlier_threshold ? `; left out above ${number(outlier_threshold)}` : "";
-    model.remarks.set(node, [["gross error, square in standard deviations", `${number(statistic)}${threshold}`]]);
+    const threshold = outlier_threshold ? ` (excluded above ${number(outlier_threshold)})` : "";
+    model.remarks.set(node, [["test statistic of the gross error", `${number(statistic)}${threshold}`]]);
   }
   if (residuals.length > 0) {
     const vectors = new Float32Array(3 * model.nodeCount);

@@ -18,7 +18,7 @@ export class NetCamera {
   private readonly middle = new Vector3();
   private readonly size: number;
 
-  /** @param points what the picture is fitted to, three coordinates each; @param moved told of every move */
+  /** @param points what the picture is fitted to, three coordinates each; @param moved called after every move */
   constructor(canvas: HTMLCanvasElement, private readonly points: Float32Array, moved: () => void) {
     this.size = this.measure();
     for (const camera of [this.perspective, this.orthographic]) camera.up.set(0, 0, 1);
@@ -64,7 +64,7 @@ export class NetCamera {
     this.controls.update();
   }
 
-  /** Places of all nodes in a picture of that size; z in front of the camera is not told apart. */
+  /** Places of all nodes in a picture of that size; points behind the camera are not excluded. */
   project(positions: Float32Array, width: number, height: number): Float32Array {
     const camera = this.current;
     camera.updateMatrixWorld();

@@ -36,7 +36,7 @@ function field(label: string, control: HTMLElement): HTMLElement {
   return h("label", { class: "field" }, h("span", {}, label), control);
 }
 
-/** What is shown, how it is coloured and from where it is seen. */
+/** Controls of the view: colours, displacement and viewpoint. */
 export class NetControls {
   readonly element: HTMLElement;
   quantity: Quantity;
@@ -66,12 +66,12 @@ export class NetControls {
       field("Colour by", this.colourBy), this.key,
       model.strokes.size > 0 ? strokeLegend(model) : null,
       field("Show displacement", this.moved),
-      field("exaggerated", h("span", { class: "slider" }, this.slider, this.factor)),
+      field("Exaggeration", h("span", { class: "slider" }, this.slider, this.factor)),
       h("div", { class: "buttons no-print", role: "group", "aria-label": "Viewpoint" }, ...this.viewpoints));
     this.key.append(legend(model, this.quantity));
   }
 
-  /** From now on they control this view. */
+  /** Connects the controls to a view. */
   connect(view: NetView): void {
     this.view = view;
     this.colour();

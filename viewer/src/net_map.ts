@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 import * as Plot from "@observablehq/plot";
-import { type Chart, dots, halfWidth, type Line, lines, type Places, type View } from "./chart";
+import { type Chart, dots, type Figure, halfWidth, type Line, lines, type Places, type View } from "./chart";
 import { colourAt, css } from "./colours";
 import { svg } from "./dom";
+import { counted } from "./format";
 import { ink } from "./inks";
 import type { Model } from "./model";
 import type { Item } from "./selection";
@@ -67,7 +68,7 @@ function axesOf(side: Side | null): Pick<Plot.PlotOptions, "x" | "y"> {
   return { x: { label: `${axisNames[side.right]} [m]`, ticks: 6 }, y: { label: `${axisNames[side.up]} [m]`, ticks: 5 } };
 }
 
-/** What tells which node is pointed at, and marks nodes and edges. */
+/** Finds the node at the pointer, and marks nodes and edges. */
 function pointing(model: Model, place: Place): Required<Pick<Chart, "itemAt" | "markOf">> {
   const placed = (node: number, places: Places): [number, number] => {
     const [x, y] = place(node);
@@ -151,7 +152,7 @@ export function nodeMap(map: NodeMap, model: Model, side: Side): Chart {
   };
 }
 
-/** Edges and nodes, each kind in its ink. */
+/** Edges and nodes, each kind in its colour. */
 function netDrawing(name: string, title: string, model: Model, place: Place, side: Side | null): Chart {
   const nodes = Array.from(model.isSupport, (support, node) => ({ node, support: support === 1 }));
   return {
@@ -179,7 +180,7 @@ function netDrawing(name: string, title: string, model: Model, place: Place, sid
 }
 
 /** The net slantwise from above, and from the side that shows most of it (the paper's figure 3D). */
-export function netCharts(model: Model, side: Side): Chart[] {
+function netCharts(model: Model, side: Side): Chart[] {
   const [turn, height] = [(25 * Math.PI) / 180, (38 * Math.PI) / 180];
   const slanting: Place = (node) => {
     const [x, y, z] = [0, 1, 2].map((k) => model.form[3 * node + k]!) as [number, number, number];
@@ -193,3 +194,14 @@ export function netCharts(model: Model, side: Side): Chart[] {
 }
 
 export const planThinning = (model: Model): string => thinningWords([[model.edgeCount, mostInPlan, "edge"], [model.nodeCount, mostInPlan, "node"]]);
+
+/** @param which form it is: "nominal" */
+export function netFigure(model: Model, side: Side, which: string): Figure {
+  const supports = model.isSupport.reduce((sum, s) => sum + s, 0);
+  const adjustable = model.isAdjustable.reduce((sum, a) => sum + a, 0);
+  return {
+    heading: "The net", charts: netCharts(model, side),
+    caption: `The ${which} form in parallel projection and seen ${side.seen}: ${counted(model.nodeCount - supports, "free node")}, ${counted(supports, "support")}, ` +
+      `${counted(model.edgeCount - adjustable, "interior edge")} of uncertain unstressed length and ${counted(adjustable, "adjustable edge")} of known unstressed length.${planThinning(model)}`,
+  };
+}

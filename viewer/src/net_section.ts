@@ -12,12 +12,12 @@ function describe(canvas: HTMLCanvasElement): void {
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "application");
   canvas.setAttribute("aria-label",
-    "The net in three dimensions. Arrow keys turn it, plus and minus zoom, Home shows all of it, Escape selects nothing. All values are in the tables below.");
+    "The net in three dimensions. Arrow keys rotate, plus and minus zoom, Home shows all of it, Escape clears the selection. All values are in the tables below.");
 }
 
-/** Paper gets a picture of the view, on white. */
+/** Prints a picture of the view, on white. */
 function print(container: HTMLElement, view: NetView): void {
-  const picture = h("img", { class: "print-only", alt: "The net as it was shown" });
+  const picture = h("img", { class: "print-only", alt: "The net as shown" });
   container.append(picture);
   addEventListener("beforeprint", () => (picture.src = view.picture()));
 }
@@ -37,7 +37,7 @@ export function netSection(model: Model, selection: Selection, first: string): {
       view = new NetView(container, model, selection);
     } catch {
       document.body.classList.add("without-view");
-      container.append(h("p", {}, "This browser cannot draw in three dimensions (no WebGL). All else on this page works without it."));
+      container.append(h("p", {}, "This browser cannot draw in three dimensions (no WebGL). The rest of this page works without it."));
       return;
     }
     describe(view.canvas);
@@ -45,7 +45,7 @@ export function netSection(model: Model, selection: Selection, first: string): {
     print(container, view);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) => view.setTheme(event.matches));
     document.body.append(tooltip(model, selection, () => controls.quantity));
-    // For who works with the page by its console, and for the tests.
+    // For users of the browser's console, and for the tests.
     Object.assign(container, { netView: view });
   };
   return { element: section("net", "The net", h("div", { class: "view" }, container, panel)), start };

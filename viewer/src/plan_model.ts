@@ -6,15 +6,15 @@ import type { Plan, PlannedTension } from "./result";
 
 const kN = 1e-3;
 
-/** Change of the length of each edge by all that is turned [m]. */
+/** Change of each edge's length by all turns [m]. */
 export function strokesOf(plan: Plan): Map<number, number> {
   const strokes = new Map<number, number>();
   for (const { edge, stroke } of plan.turns) strokes.set(edge, (strokes.get(edge) ?? 0) + stroke);
   return strokes;
 }
 
-/** From an edge's planned tension to the nearest of its limits, negative beyond [N]. */
-export const roomOf = (t: PlannedTension): number => Math.min(t.planned - t.limit_lower, (t.limit_upper ?? Infinity) - t.planned);
+/** Margin of an edge's planned tension to the nearest of its limits; negative where exceeded [N]. */
+export const marginOf = (t: PlannedTension): number => Math.min(t.planned - t.limit_lower, (t.limit_upper ?? Infinity) - t.planned);
 
 function tensions(plan: Plan): Quantity[] {
   const { edges } = plan.tension;
@@ -26,7 +26,7 @@ function tensions(plan: Plan): Quantity[] {
     quantity({ ...tension, key: "tension_built", label: "tension, as built", head: "tension, built", values: of((t) => t.as_built) }),
     quantity({ ...tension, key: "tension_planned", label: "tension, as planned", head: "tension, planned", values: of((t) => t.planned), ...interval }),
     ...(limits ? [
-      quantity({ key: "room", label: "room from the planned tension to the nearest limit", head: "room to limit", unit: "kN", of: "edge", kind: "diverging", decimals: 3, values: of(roomOf) }),
+      quantity({ key: "margin", label: "margin of the planned tension to the nearest limit", head: "margin to limit", unit: "kN", of: "edge", kind: "diverging", decimals: 3, values: of(marginOf) }),
     ] : []),
   ];
 }
@@ -50,24 +50,24 @@ export function modelOfPlan(plan: Plan): Model {
   const node = (key: string, label: string, head: string, kind: "sequential" | "diverging", scale: string, values: ArrayLike<number>): Quantity =>
     quantity({ key, label, head, unit: "mm", of: "node", kind, decimals: 2, scale, values });
   if (strokes.size > 0) {
-    model.quantities.unshift(quantity({ key: "stroke", label: "to turn, + lengthens", head: "to turn", unit: "mm", of: "edge", kind: "diverging", decimals: 2, values: stroke }));
+    model.quantities.unshift(quantity({ key: "stroke", label: "stroke, + lengthens", head: "stroke", unit: "mm", of: "edge", kind: "diverging", decimals: 2, values: stroke }));
   }
   model.quantities.push(
     ...tensions(plan),
-    node("normal_built", "from the target along its normal, as built", "normal, built", "diverging", "normal", alongNormal(plan, built, model.isSupport)),
-    node("normal_planned", "from the target along its normal, as planned", "normal, planned", "diverging", "normal", alongNormal(plan, planned, model.isSupport)),
-    node("distance_built", "distance from the target, as built", "distance, built", "sequential", "distance", distances(built, model.isSupport)),
-    node("distance_planned", "distance from the target, as planned", "distance, planned", "sequential", "distance", distances(planned, model.isSupport)),
+    node("normal_built", "normal deviation from the target, as built", "normal, built", "diverging", "normal", alongNormal(plan, built, model.isSupport)),
+    node("normal_planned", "normal deviation from the target, as planned", "normal, planned", "diverging", "normal", alongNormal(plan, planned, model.isSupport)),
+    node("distance_built", "3D deviation from the target, as built", "3D, built", "sequential", "distance", distances(built, model.isSupport)),
+    node("distance_planned", "3D deviation from the target, as planned", "3D, planned", "sequential", "distance", distances(planned, model.isSupport)),
   );
   if (plan.draws > 0) {
     const std = plan.planned_form_std.map((s, i) => (model.isSupport[i] ? NaN : 1e3 * Math.max(...s)));
-    model.quantities.push(quantity({ key: "std", label: "standard deviation of the planned place, worst axis", head: "std", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: std }));
+    model.quantities.push(quantity({ key: "std", label: "standard deviation of the planned position, worst axis", head: "std", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: std }));
   }
-  // One scale, so that before and after can be told apart by eye.
+  // One scale, so that before and after can be compared by eye.
   model.displacements = [
     { label: "as built, from the target", base, vectors: built, scale: "target" },
     { label: "as planned, from the target", base, vectors: planned, scale: "target" },
-    { label: "what turning does: as planned, from as built", base: flat(plan.built_form), vectors: difference(plan.planned_form, plan.built_form), scale: "target" },
+    { label: "effect of turning: as planned, from as built", base: flat(plan.built_form), vectors: difference(plan.planned_form, plan.built_form), scale: "target" },
   ];
   model.strokes = strokes;
   return model;

@@ -9,7 +9,7 @@ export interface Item {
 
 export const same = (a: Item | null, b: Item | null): boolean => a?.of === b?.of && a?.index === b?.index;
 
-/** What is selected and what is pointed at, shared by the view, the charts and the table. */
+/** The selected and the hovered item, shared by the view, the charts and the tables. */
 export class Selection {
   selected: Item | null = null;
   hovered: Item | null = null;
@@ -23,16 +23,16 @@ export class Selection {
   select(item: Item | null): void {
     if (same(item, this.selected)) return;
     this.selected = item;
-    this.tell();
+    this.notify();
   }
 
   hover(item: Item | null): void {
     if (same(item, this.hovered)) return;
     this.hovered = item;
-    this.tell();
+    this.notify();
   }
 
-  private tell(): void {
+  private notify(): void {
     for (const listener of this.listeners) listener();
   }
 }

@@ -5,8 +5,8 @@ import { Vector3 } from "three";
 import { linear, palette } from "./colours";
 import type { Model } from "./model";
 
-// Arrows beyond the support of each edge that is to be turned, in line with it: out of the net where
-// cable is taken in, towards it where it is let out. There nothing else is drawn.
+// Arrows outside the support of each edge to be turned, in line with it, where nothing else is drawn:
+// out of the net to shorten the edge, towards it to lengthen the edge.
 
 /** Of the net's extent: the longest arrow, the shortest, and an arrow's distance from its support. */
 const longest = 0.09;
@@ -60,7 +60,7 @@ export function arrowLines(model: Model, positions: Float32Array): Float32Array 
   return new Float32Array(result);
 }
 
-/** Blue takes in, orange lets out, as on the scale of strokes. */
+/** Blue shortens, orange lengthens, as on the colour scale of strokes. */
 export function strokeColours(model: Model): Float32Array {
   const [shorten, lengthen] = [linear(palette.blue), linear(palette.orange)];
   return Float32Array.from([...model.strokes.values()].flatMap((stroke) => Array(2 * linesEach).fill(stroke < 0 ? shorten : lengthen).flat() as number[]));

@@ -2,33 +2,22 @@
 // SPDX-License-Identifier: MIT
 
 import * as Plot from "@observablehq/plot";
-import { dots, lines, type View } from "./chart";
+import { dots, type Figure, lines, type View } from "./chart";
 import { around, dotWidth, edgeChart } from "./edge_chart";
-import type { Figure } from "./figures";
-import { counted, millimetres, number } from "./format";
+import { millimetres, number } from "./format";
 import { ink } from "./inks";
 import type { Model } from "./model";
-import { netCharts, nodeMap, planThinning, type Side, sideOf } from "./net_map";
+import { netFigure, nodeMap, planThinning, type Side, sideOf } from "./net_map";
 import type { Study } from "./result";
 import { mostAlong, thinningWords } from "./thinning";
 
-/** Dots beyond so many make the chart slow and no clearer. */
+/** More dots make the chart slow and no clearer. */
 const mostDots = 30_000;
 
 const inMm = (metres: readonly number[]): number[] => metres.map((value) => 1e3 * value);
 const meanOf = (values: readonly number[]): number => values.reduce((sum, v) => sum + v, 0) / values.length;
-/** Without a call whose arguments are all values: there may be too many. */
+/** Not Math.max(...values): there may be too many for one call. */
 const largestOf = (values: readonly number[]): number => values.reduce((most, v) => Math.max(most, Math.abs(v)), 0);
-
-export function netFigure(model: Model, side: Side, which: string): Figure {
-  const supports = model.isSupport.reduce((sum, s) => sum + s, 0);
-  const adjustable = model.isAdjustable.reduce((sum, a) => sum + a, 0);
-  return {
-    heading: "The net", charts: netCharts(model, side),
-    caption: `The ${which} form in parallel projection and seen ${side.seen}: ${counted(model.nodeCount - supports, "free node")}, ${counted(supports, "support")}, ` +
-      `${counted(model.edgeCount - adjustable, "interior edge")} of uncertain unstressed length and ${counted(adjustable, "adjustable edge")} of known unstressed length.${planThinning(model)}`,
-  };
-}
 
 /** True, identified and error over the interior edges for the first validation sample (the paper's figure errorplot_q1). */
 function deviationFigure(study: Study, model: Model): Figure {
@@ -51,7 +40,7 @@ function deviationFigure(study: Study, model: Model): Figure {
       },
     }, model)],
     caption: `True and identified length deviation of ${count === 1 ? "the interior edge" : `the ${count} interior edges`} for the first validation sample, ` +
-      `and the error between them: at most ${number(largestOf(error))} mm.${thinningWords([[count, mostAlong, "edge"]])}`,
+      `and the error between them: max ${number(largestOf(error))} mm.${thinningWords([[count, mostAlong, "edge"]])}`,
   };
 }
 
@@ -64,7 +53,7 @@ function errorFigure(study: Study, model: Model): Figure {
   const { validation } = study.samples;
   const most = Math.min(Math.max(Math.floor(mostDots / Math.max(all.length > 0 ? validation : 1, 1)), 1), mostAlong);
   const worst = mean.reduce((best, m, i) => (Math.abs(m) > Math.abs(mean[best]!) ? i : best), 0);
-  /** On a little beyond the first and the last: one edge alone shows as a dash. */
+  /** Extended a little at both ends, so that a single edge shows as a dash. */
   const curve = (edges: readonly number[], values: number[]): [number, number][] => {
     if (edges.length === 0) return [];
     const [first, last] = [edges[0]!, edges.at(-1)!];
@@ -91,9 +80,9 @@ function errorFigure(study: Study, model: Model): Figure {
         ];
       },
     }, model)],
-    caption: `Error (true minus identified) of every interior edge in ${validation === 1 ? "the one validation sample" : `all ${validation} validation samples`}, with its mean over them and ` +
-      `one standard deviation to both sides. The largest mean error is ${number(Math.abs(mean[worst]!))} mm, at edge ${model.edgeId(model.charted[worst]!)} (i = ${worst + 1}); ` +
-      `the standard deviation is ${number(meanOf(std))} mm in the mean of the edges.${thinningWords([[mean.length, most, "edge"]])}`,
+    caption: `Error (true minus identified) of every interior edge in ${validation === 1 ? "the one validation sample" : `all ${validation} validation samples`}, with mean and mean ± one standard deviation ` +
+      `over the samples. The largest mean error is ${number(Math.abs(mean[worst]!))} mm, at edge ${model.edgeId(model.charted[worst]!)} (i = ${worst + 1}); ` +
+      `the mean standard deviation of an edge is ${number(meanOf(std))} mm.${thinningWords([[mean.length, most, "edge"]])}`,
   };
 }
 
@@ -107,12 +96,12 @@ function formErrorFigure(study: Study, model: Model, side: Side): Figure {
     nodes, values: inMm(errors), largest,
   }, model, side);
   const ratio = meanOf(nominal) / meanOf(identified);
-  const told = Number.isFinite(ratio) && ratio > 0
-    ? ` In the mean of the nodes, identification makes the form error ${number(ratio >= 1 ? ratio : 1 / ratio)} times ${ratio >= 1 ? "smaller" : "larger"}.` : "";
+  const change = Number.isFinite(ratio) && ratio > 0
+    ? ` Identification makes the mean form error ${number(ratio >= 1 ? ratio : 1 / ratio)} times ${ratio >= 1 ? "smaller" : "larger"}.` : "";
   return {
     heading: "Form error over the net", charts: [chart("nominal", nominal), chart("identified", identified)],
     caption: `Distance of the nominal form (mean ${millimetres(meanOf(nominal))} mm) and of the form with the identified lengths (mean ${millimetres(meanOf(identified))} mm) ` +
-      `from the true form at the free nodes, for the first validation sample. Both have the same view and the same colour scale.${told}${planThinning(model)}`,
+      `from the true form at the free nodes, for the first validation sample. Both have the same view and the same colour scale.${change}${planThinning(model)}`,
   };
 }
 

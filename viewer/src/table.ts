@@ -25,7 +25,7 @@ interface Options {
 }
 
 const rowHeight = 27;
-/** Rows drawn beyond both ends of what is seen. */
+/** Rows drawn above and below the visible ones. */
 const margin = 12;
 const printedRows = 40;
 
@@ -50,7 +50,7 @@ export class Table {
     const head = h("tr");
     columns.forEach((column, i) => {
       const button = h("button", { type: "button", onclick: () => this.sortBy(i) }, column.label, column.unit ? h("small", {}, ` [${column.unit}]`) : null);
-      this.heads.push(h("th", { scope: "col" }, button));
+      this.heads.push(h("th", { scope: "col", class: rowCount > 0 && typeof column.value(0) === "string" ? "text" : "" }, button));
       head.append(this.heads[i]!);
     });
     const table = h("table", { "aria-rowcount": rowCount + 1 }, h("caption", { class: "hidden" }, caption), h("thead", {}, head), this.body);
@@ -84,7 +84,7 @@ export class Table {
     this.draw();
   }
 
-  /** What is shown, in the order shown, with all digits. */
+  /** The rows shown, in their order, with all digits. */
   csv(): string {
     const { columns } = this.options;
     return csvOf(columns.map((c) => (c.unit ? `${c.label} [${c.unit}]` : c.label)), this.rows.map((row) => columns.map((c) => c.value(row))));
@@ -112,7 +112,7 @@ export class Table {
     this.draw();
   }
 
-  /** Numbers by magnitude when falling: what deviates most stands on top. Rows without one come last. */
+  /** Descending numbers by magnitude: the largest deviation on top. Rows without a number come last. */
   private order(column: Column): (a: number, b: number) => number {
     const sign = this.descending ? -1 : 1;
     return (a, b) => {
@@ -123,7 +123,7 @@ export class Table {
     };
   }
 
-  /** "slack": some text holds it; ">2", "<-1": some number in the sorted column is beyond. */
+  /** "slack": some text contains it; ">2", "<-1": compares the number in the sorted column, ">" its magnitude. */
   private matches(row: number): boolean {
     const { columns } = this.options;
     const bound = /^([<>])\s*([-−+]?[\d.]+)$/.exec(this.filter);
@@ -152,7 +152,7 @@ export class Table {
     const after = this.rows.length - last;
     this.body.replaceChildren(...(first > 0 ? [space(first)] : []), ...drawn, ...(after > 0 && !this.printing ? [space(after)] : []));
     if (this.printing && after > 0) {
-      this.body.append(h("tr", {}, h("td", { colspan: this.options.columns.length }, `… and ${after} more rows, in the order chosen; the CSV file has all of them.`)));
+      this.body.append(h("tr", {}, h("td", { colspan: this.options.columns.length }, `… and ${after} more rows, in this order; the CSV file has all of them.`)));
     }
   }
 

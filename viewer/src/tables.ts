@@ -36,14 +36,14 @@ function tableOf(model: Model, selection: Selection, of: Item["of"], indices: nu
   return table.element;
 }
 
-/** Every number of the edges and of the nodes, sortable and to be taken away. */
+/** Every number of the edges and nodes, sortable and for download. */
 export function tablesSection(model: Model, selection: Selection, first: { edge: string; node: string }): HTMLElement {
   const edges = Array.from({ length: model.edgeCount }, (_, e) => e);
   const nodes = Array.from({ length: model.nodeCount }, (_, i) => i);
   const edgeColumns: Column[] = [
     { label: "edge", value: (row) => model.edgeId(row) },
     { label: "nodes", value: (row) => `${model.nodeId(model.ends[2 * row]!)} – ${model.nodeId(model.ends[2 * row + 1]!)}` },
-    { label: "nominal length", unit: "m", decimals: 4, value: (row) => model.unstressed[row]! },
+    { label: "design length", unit: "m", decimals: 4, value: (row) => model.unstressed[row]! },
   ];
   const nodeColumns: Column[] = [
     { label: "node", value: (row) => model.nodeId(row) },
@@ -52,5 +52,5 @@ export function tablesSection(model: Model, selection: Selection, first: { edge:
   ];
   return section("tables", "All edges and nodes",
     h("h3", {}, "Edges"), tableOf(model, selection, "edge", edges, edgeColumns, "All edges with their lengths", first.edge),
-    h("h3", {}, "Nodes"), tableOf(model, selection, "node", nodes, nodeColumns, "All nodes with their places", first.node));
+    h("h3", {}, "Nodes"), tableOf(model, selection, "node", nodes, nodeColumns, "All nodes with their positions", first.node));
 }

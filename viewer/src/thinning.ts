@@ -19,9 +19,9 @@ export function thinned<T>(all: readonly T[], limit: number): readonly T[] {
   return all.filter((_, i) => (golden * i) % 1 < part);
 }
 
-/** What a caption says of a chart that draws some of its things. */
+/** Caption text for a chart that draws only part of its items. */
 export function thinningWords(parts: [count: number, limit: number, noun: string][]): string {
   const some = parts.filter(([count, limit]) => count > limit)
     .map(([count, limit, noun]) => `about ${limit} of ${count} ${noun}s`);
-  return some.length === 0 ? "" : ` Drawn are ${some.join(" and ")}; zoom in to see all.`;
+  return some.length === 0 ? "" : ` The chart shows ${some.join(" and ")}; zoom in to see all.`;
 }

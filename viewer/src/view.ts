@@ -260,7 +260,7 @@ export class NetView {
     this.request();
   }
 
-  /** Places of all nodes on the canvas; z in front of the camera is not told apart. */
+  /** Places of all nodes on the canvas; points behind the camera are not excluded. */
   private projected(): Float32Array {
     this.screen ??= this.camera.project(this.positions, this.canvas.clientWidth, this.canvas.clientHeight);
     return this.screen;

@@ -76,6 +76,7 @@ function troubled(identification) {
     unmatched: [{ id: "T-900" }, { id: "<b>T-901</b>" }],
   });
   Object.assign(result.survey.residuals.find((r) => r.node === 8), { dx: 0, dy: 0.03, dz: 0.04 });
+  Object.assign(result.diagnostics.noise, { ratio: 1.47, std: 0.1 });
   Object.assign(result.edges[0], { status: "slack", length_deviation: 0.08, lower: 0.0632, upper: 0.1 });
   result.edges[1].status = "unobserved";
   return result;
@@ -114,7 +115,7 @@ export function makeReports() {
   const plain = JSON.parse(readFileSync(join(folder, "plain.json"), "utf8"));
   const bare = structuredClone(plain);
   for (const key of ["residuals", "missing_nodes"]) delete bare.survey[key];
-  for (const key of ["tension", "date", "command", "program", "law", "frame"]) delete bare[key];
+  for (const key of ["tension", "date", "command", "program", "length_prior", "frame"]) delete bare[key];
   write("bare", bare);
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
