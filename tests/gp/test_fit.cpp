@@ -270,7 +270,7 @@ TEST(FitSettings, LimitTheDecompositionsAndReportEach) {
         std::vector<int> reported;
         FitSettings settings;
         settings.max_spectra = most;
-        const Progress progress{.tell = [&](std::string_view stage, int made, int total) {
+        const Progress progress{.report = [&](std::string_view stage, int made, int total) {
             EXPECT_EQ(stage, "training");
             EXPECT_EQ(total, most);
             reported.push_back(made);
@@ -287,7 +287,7 @@ TEST(FitSettings, LimitTheDecompositionsAndReportEach) {
 
 TEST(FitSettings, LetTheProgressGiveUp) {
     int reported = 0;
-    const Progress progress{.tell = [&](std::string_view, int, int) { ++reported; },
+    const Progress progress{.report = [&](std::string_view, int, int) { ++reported; },
                             .stop_requested = [&] { return reported == 2; }};
     const Eigen::MatrixXd inputs = normal_matrix(3, 20, 1);
     EXPECT_THROW((void)fit(inputs, smooth_output(inputs, 0.1, 2), {}, progress), Interrupted);

@@ -115,7 +115,7 @@ TEST(EstimateInputScales, EndsWhereItIsGivenUp) {
     for (const int last : {2, 7}) {  // while it looks for a start, and afterwards
         std::vector<int> reported;
         const Progress progress{
-            .tell =
+            .report =
                 [&](std::string_view stage, int done, int total) {
                     EXPECT_EQ(stage, "scales of the kernel");
                     EXPECT_LT(done, total);

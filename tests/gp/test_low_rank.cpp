@@ -227,7 +227,7 @@ TEST_F(LowRank, MarksAConstantOutputAndTakesOneThatIsConstantOnAPart) {
 TEST_F(LowRank, GivesUpWhereAStopIsRequestedAfterTheSearch) {
     std::atomic<bool> is_by_low_rank = false;
     const Progress progress{
-        .tell = [&](std::string_view, int done, int total) { is_by_low_rank = 2 * done >= total; },
+        .report = [&](std::string_view, int done, int total) { is_by_low_rank = 2 * done >= total; },
         .stop_requested = [&] { return is_by_low_rank.load(); }};
     EXPECT_THROW((void)fit(m_inputs, m_outputs, low_rank(200, 50), progress), Interrupted);
 }

@@ -41,7 +41,7 @@ TEST(CorrelationProduct, IsThatOfTheWholeMatrix) {
 }
 
 TEST(CorrelationProduct, GivesUpWhereAStopIsRequested) {
-    const Progress progress{.tell = {}, .stop_requested = [] { return true; }};
+    const Progress progress{.report = {}, .stop_requested = [] { return true; }};
     EXPECT_THROW(
         (void)correlation_product(normal_matrix(3, n, 1), 0.5, normal_matrix(n, 1, 2), progress),
         Interrupted);

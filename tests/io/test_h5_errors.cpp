@@ -125,12 +125,6 @@ Change set_net(const std::string& text) {
                      [](hid_t type, const char* value) { return replace("net", {}, type, value); });
 }
 
-std::string other_net_json() {
-    CableNetData data = test::example_net().net.data();
-    data.unstressed_lengths(0) *= 1.5;
-    return net_to_json(CableNet(data));
-}
-
 struct BadFile {
     const char* name;
     bool is_model;

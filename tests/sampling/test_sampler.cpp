@@ -179,7 +179,7 @@ TEST(Sampler, KeepsWholeBlocksWhenStoppedWhileItWorks) {
 TEST(Sampler, ReportsHowManySamplesThereAreUntilAllAre) {
     const CableNet net = hypar(3, 4);
     std::vector<int> reported;
-    const Progress progress{.tell = [&](std::string_view stage, int done, int total) {
+    const Progress progress{.report = [&](std::string_view stage, int done, int total) {
         EXPECT_EQ(stage, "sampling");
         EXPECT_EQ(total, 50);
         reported.push_back(done);

@@ -157,12 +157,12 @@ TEST(Comparison, ReportsItsProgressToItsEndAndStopsWhereRequested) {
             last = {done, total};
         }
     };
-    (void)compare_methods(hypar(3, 3), small_comparison, {.tell = tell});
+    (void)compare_methods(hypar(3, 3), small_comparison, {.report = tell});
     EXPECT_GT(last[0], 0);
     EXPECT_EQ(last[0], last[1]);
     for (const std::string stage : {"sampling", "training", "identification"}) {
         std::atomic<bool> stop = false;
-        const Progress progress{.tell =
+        const Progress progress{.report =
                                     [&](std::string_view now, int, int) {
                                         if (now == stage) {
                                             stop = true;

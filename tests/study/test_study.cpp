@@ -165,7 +165,7 @@ TEST(Study, ReportsItsStagesInOrderAndToTheirEnd) {
         last_done = done;
         last_total = total;
     };
-    (void)run_study(hypar(4, 5), small, {.tell = tell});
+    (void)run_study(hypar(4, 5), small, {.report = tell});
     EXPECT_THAT(stages, testing::ElementsAre("sampling", "training", "identification"));
     EXPECT_EQ(last_done, last_total);
 }
@@ -186,7 +186,7 @@ TEST_P(StoppedIn, GivesUp) {
             stop = true;
         }
     };
-    const Progress progress{.tell = tell, .stop_requested = [&] { return stop.load(); }};
+    const Progress progress{.report = tell, .stop_requested = [&] { return stop.load(); }};
     EXPECT_THROW((void)run_study(hypar(4, 5), small, progress), Interrupted);
 }
 
@@ -218,7 +218,7 @@ TEST(StudySettings, RefuseTooFewSamples) {
 }
 
 TEST(Study, ChecksItsSettingsBeforeItBegins) {
-    const Progress must_not_be_called{.tell = [](std::string_view, int, int) { FAIL(); }};
+    const Progress must_not_be_called{.report = [](std::string_view, int, int) { FAIL(); }};
     EXPECT_THROW((void)run_study(hypar(4, 5), {.samples = 0}, must_not_be_called),
                  std::invalid_argument);
     EXPECT_THROW((void)run_study(hypar(4, 5), {.prior = {LengthPrior::Kind::uniform, 1.0}},
