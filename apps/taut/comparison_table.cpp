@@ -54,8 +54,8 @@ std::string line(const std::string& place, const ComparisonRow& row) {
     if (r.failed == r.surveys) {
         text += fmt::format(" {:>9}  {:<15}{}\n", place, r.name, r.first_failure);
     } else if (r.failed > 0) {
-        text += fmt::format(" {:>9}  {:<15}failed on {} of {} surveys, not counted above: {}\n",
-                            "", "", r.failed, r.surveys, r.first_failure);
+        text += fmt::format(" {:>9}  {:<15}failed on {} of {} surveys, not counted above: {}\n", "",
+                            "", r.failed, r.surveys, r.first_failure);
     }
     if (r.forms_not_converged > 0) {
         text += fmt::format(
