@@ -129,9 +129,8 @@ void print_forces(const CableNet& net, const Identification& result) {
     }
     if (result.force_bias) {
         say("  together they contradict the survey, by which tensions are {:.2g} +- {:.2g} times "
-            "the "
-            "measured ones.\n  taut used none of them. Check their unit, their calibration and the "
-            "net's stiffness.\n",
+            "the measured ones.\n  taut used none of them. Check their unit, their calibration "
+            "and the net's stiffness.\n",
             1.0 - result.force_bias->part, result.force_bias->std);
     }
     if (result.contradicted_taut.empty() && result.contradicted_slack.empty()) {

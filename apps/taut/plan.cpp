@@ -306,7 +306,7 @@ void print_limits(const PlanRecord& record) {
         const double kept = std::round(*plan.limit_probability * plan.draws);
         const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
         say("{} with a probability of {:.1f} % (required: {:g} %, at least {:.0f} of {} samples)\n",
-            is_limited ? "All limits are kept" : "No cable goes slack",
+            is_limited ? "All limits are kept" : "All cables stay taut",
             100.0 * *plan.limit_probability, 100.0 * record.options->confidence, needed,
             plan.draws);
         if (!plan.is_feasible && kept >= needed) {

@@ -18,7 +18,7 @@ ProgressLine::~ProgressLine() {
 
 Progress ProgressLine::progress() {
     return {
-        .tell = [this](std::string_view stage, int done, int total) { show(stage, done, total); },
+        .report = [this](std::string_view stage, int done, int total) { show(stage, done, total); },
         .stop_requested = Interruption::stop_request()};
 }
 

@@ -76,7 +76,7 @@ Progress progress_to(nb::object callback) {
                               ", expected a function of stage, done and total")
                                  .c_str());
     }
-    Progress progress{.tell = {}, .stop_requested = InterruptScope::stop_requested};
+    Progress progress{.report = {}, .stop_requested = InterruptScope::stop_requested};
     if (callback.is_none()) {
         return progress;
     }
@@ -87,7 +87,7 @@ Progress progress_to(nb::object callback) {
                                                  const nb::gil_scoped_acquire locked;
                                                  delete held;
                                              });
-    progress.tell = [shared](std::string_view stage, int done, int total) {
+    progress.report = [shared](std::string_view stage, int done, int total) {
         const nb::gil_scoped_acquire locked;
         (*shared)(std::string(stage), done, total);
     };

@@ -53,7 +53,7 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
             result.status = IdentificationStatus::survey_does_not_fit;
             result.message = fmt::format(
                 "the survey gives edge '{}' the unstressed length {:.4g} m. Check that it is of "
-                "this net, in its frame, and not exact",
+                "this net and in its frame, and give its standard deviation",
                 net.edge_id(e.edge), lengths(e.edge));
             return;
         }

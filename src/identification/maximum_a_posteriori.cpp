@@ -58,7 +58,7 @@ struct SurveySearch {
 SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
                         const SurveyFitSettings& settings) {
     SurveySearch result{.fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings)};
-    result.fitted = result.fit->run();  // (map), (slack-set), (snooping)
+    result.fitted = result.fit->run();  // (map), (slack-form), (snooping)
     return result;
 }
 

@@ -182,7 +182,7 @@ std::string_view to_string(UnmatchedReason reason) {
         case UnmatchedReason::node_taken:
             return "node taken";
     }
-    return "";
+    return "unknown";
 }
 
 Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,

@@ -60,7 +60,7 @@ TEST_F(PlanCommand, WritesTheKeysAndTheListThatOthersRead) {
         plan({"--csv", "turns.csv", "--turn", "4mm", "--step", "1/4", "--crews", "2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("no limits of tension or reaction were given\n"
-                                             "No cable goes slack with a probability of "),
+                                             "All cables stay taut with a probability of "),
                                    Not(HasSubstr("limits are kept"))));
     const json document = json::parse(read("plan.json"));
     EXPECT_EQ(document["format"].get<std::string>(), "taut-plan");

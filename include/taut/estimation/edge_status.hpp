@@ -17,7 +17,7 @@ enum class EdgeStatus {
     slack,  ///< carries no tension in the predicted form: only a lower bound of its length is known
 };
 
-/// "determined", "weakly determined", "not determined", "slack".
+/// "determined", "weakly_determined", "not_determined", "slack".
 [[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(EdgeStatus status);
 
 /// A number is determined by a survey where its standard deviation is below this part of that

@@ -141,8 +141,8 @@ struct Identification {
     /// Adjustable edges and supports that differ from the design; the worst first. All other
     /// results use the values found.
     std::vector<BoundaryOutlier> boundary_outliers;
-    int boundary_not_released =
-        0;  ///< number of others that contradict the survey, and were not released
+    /// Number of others that contradict the survey and were not released.
+    int boundary_not_released = 0;
 
     DetectableErrors detectable;  ///< what the checks would have found; infinite where not computed
 
@@ -150,12 +150,12 @@ struct Identification {
     /// Where the frame was unknown; forms and places are then in that of the survey.
     std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
-    PriorCheck prior_check;     ///< how lengths fit `prior`; as here where not computed
+    PriorCheck prior_check;     ///< how lengths fit `length_prior`; as here where not computed
     FrameCheck frame_check;     ///< how the survey would fit better; as here where not computed
-    /// The given or default prior, if the survey contradicts it: `prior` is then the one that the
-    /// survey shows.
+    /// The given or default prior, if the survey contradicts it: `length_prior` is then the one
+    /// that the survey shows.
     std::optional<PriorCheck> contradicted_prior;
-    bool prior_was_given = false;  ///< false: `prior` was the default, or the model's
+    bool prior_was_given = false;  ///< false: the default, or the model's
 
     int force_measurements = 0;                ///< how many were given
     std::vector<ForceOutlier> force_outliers;  ///< left out, the worst first

@@ -21,7 +21,7 @@ struct StoredDataSet {
 };
 
 /// Writes a data set as HDF5, whole or not at all; the same data give the same bytes. Attributes of
-/// the root: format "taut-data-set", version 1, prior, seed, net_fingerprint. Datasets (n samples):
+/// the root: format "taut-data-set", version 2, prior, seed, net_fingerprint. Datasets (n samples):
 ///
 ///     net                           the net as JSON text (net_to_json())
 ///     free_nodes, interior_edges    [n_I], [m_I]: node and edge of each point and deviation

@@ -21,7 +21,7 @@ struct StoredModel {
 };
 
 /// Writes a model as HDF5, whole or not at all; the same model gives the same bytes. Attributes of
-/// the root: format "taut-model", version 3, prior, seed, net_fingerprint. Datasets (n training
+/// the root: format "taut-model", version 4, prior, seed, net_fingerprint. Datasets (n training
 /// samples):
 ///
 ///     net                            the net as JSON text (net_to_json())

@@ -14,7 +14,7 @@ namespace taut {
 struct EdgeTurned {
     int edge = 0;         ///< index of an adjustable edge
     double stroke = 0.0;  ///< change of its unstressed length [m]
-    double std = 0.0;     ///< standard deviation of that, the play of the turnbuckle; 0: none [m]
+    double std = 0.0;     ///< standard deviation of that; 0: exact [m]
 };
 
 /// No turnbuckle changes its edge by a larger part of the unstressed length.
