@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 """Convergence study: how many random surveys of soft, stiff and slack nets `taut identify --method map` converges on,
-and how far its intervals and slack probabilities are right. Prints docs/convergence.md; draws a reliability diagram.
+and how far its intervals and slack probabilities are right. Prints the tables of docs/validation.md,
+"Convergence study"; draws a reliability diagram.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/convergence.py 84 docs/images/slack_reliability.svg > docs/convergence.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/convergence.py 84 docs/images/slack_reliability.svg > convergence.md
 
 A survey follows from its net and its number: lengths are uniform to +-2 or +-5 mm; the standard deviation of a
 coordinate is 0.05 to 2 mm, its logarithm uniform; none or a tenth of the free nodes hidden; none or 5 % of the targets

@@ -14,7 +14,7 @@ namespace taut::app {
 namespace {
 
 constexpr const char* row_format =
-    "  {:>8}  {:<15}{:>9} {:>9} {:>8} {:>8} {:>8} {:>9} {:>9} {:>7}\n";
+    " {:>9}  {:<15}{:>9} {:>9} {:>8} {:>8} {:>8} {:>9} {:>9} {:>7}\n";
 
 std::string head(const std::string& axis) {
     return fmt::format(row_format, axis, "", "MSE", "RMSE", "over", "MRSE", "form", "inside",
@@ -52,14 +52,14 @@ std::string line(const std::string& place, const ComparisonRow& row) {
                            fmt::format("{:.0f}", 1e3 * r.seconds));
     }
     if (r.failed == r.surveys) {
-        text += fmt::format("  {:>8}  {:<15}{}\n", place, r.name, r.first_failure);
+        text += fmt::format(" {:>9}  {:<15}{}\n", place, r.name, r.first_failure);
     } else if (r.failed > 0) {
-        text += fmt::format("  {:>8}  {:<15}failed on {} of {} surveys, not counted above: {}\n",
-                            "", "", r.failed, r.surveys, r.first_failure);
+        text += fmt::format(" {:>9}  {:<15}failed on {} of {} surveys, not counted above: {}\n", "",
+                            "", r.failed, r.surveys, r.first_failure);
     }
     if (r.forms_not_converged > 0) {
         text += fmt::format(
-            "  {:>8}  {:<15}{} predicted forms out of balance, not in the form "
+            " {:>9}  {:<15}{} predicted forms out of balance, not in the form "
             "error\n",
             "", "", r.forms_not_converged);
     }

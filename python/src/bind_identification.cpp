@@ -437,7 +437,7 @@ void bind_predicted_precision(nb::module_& module) {
         {{"prior_std", "Standard deviation of each length deviation before the survey [m]."},
          {"mean_tension", "Mean over all edges, as designed [N]."},
          {"mean_tension_std", "Its standard deviation after the survey [N]."},
-         {"measurements",
+         {"force_candidates",
           "Force measurements that would help, the best first. Of each: edge, tension and its std "
           "[N], mean_std_if_measured, mean_tension_std with this one as well [N]."}});
     precision

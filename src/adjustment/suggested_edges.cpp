@@ -72,7 +72,7 @@ public:
     }
 
     /// Edges that are not in the set, by how much they lower the cost to first order
-    /// (further-edges): by (a . z)^2 / |a|^2 with the residual z and the edge's column a, from
+    /// (suggested-edges): by (a . z)^2 / |a|^2 with the residual z and the edge's column a, from
     /// which the columns of the set are projected out; less where the stroke is limited.
     [[nodiscard]] std::vector<int> ranked(const TurnedSet& set) const {
         const StrokedNet& stroked = set.state.nets.front();

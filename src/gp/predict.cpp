@@ -93,7 +93,7 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     result.std(members, Eigen::all) =
         (signal_stds.asDiagonal() * unexplained.cwiseMax(0.0).cwiseSqrt()).eval();
     if (!spectrum.is_whole()) {
-        // The error bound of the mean, (told-error), adds to the variance.
+        // The error bound of the mean, (approximation-error), adds to the variance.
         result.std(members, Eigen::all) =
             (result.std(members, Eigen::all).array().square().colwise() + errors.array().square())
                 .sqrt()

@@ -72,7 +72,7 @@ RefinedWeights refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         direction = preconditioned + direction * ratios(next, energy).asDiagonal();
         energy = next;
     }
-    residuals = outputs - apply(weights);  // (told-error): the steps have rounded theirs
+    residuals = outputs - apply(weights);  // (approximation-error): the steps have rounded theirs
     return {.weights = std::move(weights), .residuals = sizes(residuals)};
 }
 

@@ -72,7 +72,7 @@ TEST(RefinedWeights, ReportTheirResidualsWhichAreSmallerThanBefore) {
         const Eigen::VectorXd off = after.weights.col(j) - exact;
         const Eigen::VectorXd was_off = before.col(j) - exact;
         EXPECT_LT(off.dot(A * off), was_off.dot(A * was_off) + 1e-12) << j;
-        // The means at the inputs are no further off than the residual. (told-error)
+        // The means at the inputs are no further off than the residual. (approximation-error)
         const Eigen::VectorXd means_off = correlation(squared_distances(it.inputs), lambda) * off;
         EXPECT_LE(means_off.norm(), residual.norm() + 1e-7) << j;
     }

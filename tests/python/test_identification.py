@@ -151,7 +151,7 @@ def test_a_survey_is_predicted(net):
     entries = some.to_dict()
     assert [one["edge"] for one in entries["edges"]] == net.interior_edges.tolist()
     assert entries["edges"][3]["status"] == some.edge_status[3]
-    assert some.measurements[0]["mean_std_if_measured"] < some.mean_tension_std
+    assert some.force_candidates[0]["mean_std_if_measured"] < some.mean_tension_std
     free, support = int(net.free_nodes[0]), int(net.supports[0])
     for targets, why in [([10**6], "is none"), ([support], "is a support"), ([free] * 2, "twice")]:
         with pytest.raises(ValueError, match=f"targets: node .* {why}"):

@@ -19,7 +19,7 @@ struct SuggestedEdge {
 /// Which edges would bring the form nearest to the target if they were made adjustable or cut to
 /// another length, one after the other. Each time all edges are ranked to first order, and of the
 /// first few the best is chosen in exact equilibrium, within the effective limits of the plan.
-/// docs/theory.md (further-edges).
+/// docs/theory.md (suggested-edges).
 /// @param target, limits, options that the plan was made with
 /// @param plan of this net; suggested strokes are at most the longest of the adjustable edges
 /// @param count at most so many; fewer where no other edge lowers the cost by 0.1 %
