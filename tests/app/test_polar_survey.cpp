@@ -72,7 +72,7 @@ TEST_F(PolarWorkflow, UsesThePrecisionThatIsGivenAndWarnsWhereNoneIs) {
     const auto with = [&](const Words& options) {
         return run(joined({"identify", "net.json", "polar.csv", "--draws", "0"}, options));
     };
-    EXPECT_THAT(with({}).err, HasSubstr("(--angle, --range)"));
+    EXPECT_THAT(with({}).err, HasSubstr("that of a common total station is assumed"));
     const Outcome given = with({"--angle", "0.6mgon", "--range", "2mm+2ppm"});
     EXPECT_EQ(given.err, "");
     EXPECT_THAT(given.out, HasSubstr("angles 0.6 mgon, distances 2 mm + 2 ppm"));

@@ -168,7 +168,7 @@ model_for_data | train model.h5 -o old.h5 | model.h5
 # identify
 missing_survey | identify net.json nothing.csv --model model.h5 -o old.json | nothing.csv
 text_for_survey | identify net.json text -o old.json | text:
-survey_in_millimetres | identify net.json survey_mm.csv --model model.h5 -o old.json | --unit mm
+survey_in_millimetres | identify net.json survey_mm.csv --model model.h5 -o old.json | give the unit mm
 hidden_nodes_without_noise | identify net.json survey_part.csv -o old.json | survey_part.csv:
 hidden_nodes_for_balance | identify net.json survey_part.csv --method balance --noise 1mm -o old.json | balance
 forces_of_another_net | @identify --forces forces_of_another_net.csv | forces_of_another_net.csv:2: 'cable 9'

@@ -88,8 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"LawNoObject", "/tension_laws", "[1]",
                  ":/tension_laws/0: is 1, expected an object with \"strain\" and \"tension\""},
         BadValue{"LawOfOnePoint", "/tension_laws", R"([{"strain": [0], "tension": [0]}])",
-                 ":/tension_laws/0: has 1 strains and 1 tensions, expected as many, and two at "
-                 "least"},
+                 ":/tension_laws/0: has 1 strains and 1 tensions, expected equal "
+                 "numbers, two at least"},
         BadValue{"LawWithoutStrain", "/tension_laws", R"([{"tension": [0, 5]}])",
                  ":/tension_laws/0/strain: is missing, expected an array of numbers"},
         BadValue{"LawIndexTooLarge", "/tension_law", "[null, 0]",

@@ -35,7 +35,7 @@ def test_every_field_of_cpp_is_shown(found):
     assert plan.is_within_tolerance is None
     assert plan.order["safe_probability"] == plan.safe_probability
     for key in ("edge", "stroke", "pass", "crew", "step"):
-        assert [one[key] for one in plan.order["turns"]] == [one[key] for one in saved["turns"]]
+        assert [one[key] for one in plan.order["turnings"]] == [one[key] for one in saved["turns"]]
     assert plan.order["worst"]["step"] == -1
     suggested = saved["suggested_adjustable"]
     assert [one["edge"] for one in plan.suggested_adjustable] == [one["edge"] for one in suggested]

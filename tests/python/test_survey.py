@@ -157,7 +157,7 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
         taut.read_survey(net, {k: v if k == "id" else 1e3 * v for k, v in columns.items()})
     assert "--" not in str(error.value)
     survey = taut.read_survey(net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=1e-4)
-    with pytest.raises(ValueError, match="for method='map'") as error:
+    with pytest.raises(ValueError, match="for the method map") as error:
         taut.identify(net, survey, method="gp", uncertain=["stiffness:5%"], taut=[0])
     assert "--" not in str(error.value)
     found = taut.identify(net, survey, prior="uniform:5mm", prior_exact=True, uncertain=["none"])

@@ -31,7 +31,7 @@ TEST(UnitGuess, IsTheUnitInWhichThePointsExtendAsTheNet) {
     EXPECT_FALSE(guess_unit(net, points_of(net, 50.0)));
     EXPECT_FALSE(guess_unit(net, {}));
     EXPECT_THAT(extents_text(net, points_of(net, 50.0)),
-                testing::HasSubstr("the median point is "));
+                testing::HasSubstr("the median distance from their middle is "));
 }
 
 TEST(UnitGuess, HangsOnTheNamedPointsAloneWhereMostAre) {
