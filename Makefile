@@ -70,7 +70,7 @@ sanitize: ## run the tests with the address and undefined behaviour sanitizers
 	scripts/install_dependencies.sh test fuzz
 	scripts/sanitize.sh
 
-fuzz: ## feed the readers damaged files, SECONDS=600 each
+fuzz: build ## feed the readers damaged files, SECONDS=600 each
 	scripts/install_dependencies.sh fuzz
 	scripts/fuzz.sh $(or $(SECONDS),600)
 

@@ -20,15 +20,19 @@ seconds=${1:?seconds per reader}
 readers=("${@:2}")
 ((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj surface_mesh model)
 
-# The build that runs the tests under the sanitizers: nothing is compiled for the fuzzers alone.
+# The libraries that the tests under the sanitizers have, too; the first files come from the release's program.
 build=build/asan
+taut=build/taut
+if [[ ! -x $taut ]]; then
+    echo "fuzz.sh: there is no $taut, which writes the first files: run 'make build'" >&2
+    exit 1
+fi
 cmake --log-level=WARNING --preset asan
-cmake --build --preset asan --target taut_app "${readers[@]/#/fuzz_}"
+cmake --build --preset asan --target "${readers[@]/#/fuzz_}"
 
 real=${TAUT_REAL_DATA:-../shared/data}
 seeds=$build/fuzz/seeds
 kept=tests/fuzz/corpus
-taut=$build/apps/taut/taut
 # What HDF5 and oneTBB keep until the end is no leak of ours.
 export ASAN_OPTIONS=detect_leaks=0
 
