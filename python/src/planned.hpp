@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "taut/adjustment/built_net.hpp"
-#include "taut/adjustment/suggested_edges.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"

@@ -226,9 +226,9 @@ TEST_F(LowRank, MarksAConstantOutputAndTakesOneThatIsConstantOnAPart) {
 
 TEST_F(LowRank, GivesUpWhereAStopIsRequestedAfterTheSearch) {
     std::atomic<bool> is_by_low_rank = false;
-    const Progress progress{
-        .report = [&](std::string_view, int done, int total) { is_by_low_rank = 2 * done >= total; },
-        .stop_requested = [&] { return is_by_low_rank.load(); }};
+    const Progress progress{.report = [&](std::string_view, int done,
+                                          int total) { is_by_low_rank = 2 * done >= total; },
+                            .stop_requested = [&] { return is_by_low_rank.load(); }};
     EXPECT_THROW((void)fit(m_inputs, m_outputs, low_rank(200, 50), progress), Interrupted);
 }
 
