@@ -16,8 +16,7 @@
 // storage orders and indices of Eigen, and packed structs, do not compile below. Linking
 // taut::taut, or `pkg-config --cflags taut`, adds the definitions that fix what Eigen does,
 // whatever the flags. Remaining differences do not link: the name of the symbol below encodes what
-// a source was compiled for, and the library has only its own. docs/linking.md, "What may differ
-// between the program and taut".
+// a source was compiled for, and the library has only its own. docs/linking.md.
 #if defined(_LIBCPP_VERSION)
 #define TAUT_ABI_STANDARD_LIBRARY libcxx
 #elif defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
