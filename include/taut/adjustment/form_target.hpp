@@ -69,7 +69,7 @@ public:
     /// Weights of the squared deviations across it (n).
     [[nodiscard]] const Eigen::VectorXd& tangential_weights() const { return m_tangential_weight; }
 
-    [[nodiscard]] FormObjective objective() const { return m_objective; }
+    [[nodiscard]] FormObjective objective() const { return m_objective; }  ///< as given
     /// Null where the target is a form, not a surface.
     [[nodiscard]] const TargetSurface* surface() const { return m_surface.get(); }
     /// Where each node should stand (3 x n) [m].

@@ -56,6 +56,7 @@ struct PlannedStroke {
 
 /// A limit that is broken, or kept with too small a probability.
 struct LimitBreach {
+    /// What the limit is of.
     enum class Kind { tension, reaction };
     Kind kind = Kind::tension;  ///< tension of an edge, or reaction of a support
     int index = 0;              ///< an edge, or a support

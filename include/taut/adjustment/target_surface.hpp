@@ -36,8 +36,8 @@ public:
     ~TargetSurface();
     TargetSurface(const TargetSurface&) = delete;
     TargetSurface& operator=(const TargetSurface&) = delete;
-    TargetSurface(TargetSurface&&) noexcept;
-    TargetSurface& operator=(TargetSurface&&) noexcept;
+    TargetSurface(TargetSurface&&) noexcept;  ///< moves
+    TargetSurface& operator=(TargetSurface&&) noexcept;  ///< moves
 
     /// The point of the surface that is nearest to another.
     /// @param point finite, not checked [m]

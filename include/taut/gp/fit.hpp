@@ -27,7 +27,7 @@ enum class FitStatus {
 
 /// One trained process.
 struct Process {
-    FitStatus status = FitStatus::fitted;
+    FitStatus status = FitStatus::fitted;  ///< of its hyperparameters
     Hyperparameters hyperparameters;       ///< zero where not fitted, as the numbers below
     double negative_log_likelihood = 0.0;  ///< of its output, at these hyperparameters
     double leave_one_out_rmse = 0.0;  ///< of the mean at each training input, trained without it

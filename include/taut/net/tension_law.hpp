@@ -28,7 +28,7 @@ struct TAUT_CORE_EXPORT TensionLaw {
         double tension;  ///< [N]
         double slope;    ///< dT/d strain; at a corner the slope beyond it [N]
     };
-    [[nodiscard]] Tangent at(double strain_there) const;
+    [[nodiscard]] Tangent at(double strain_there) const;  ///< of the segment there
 
     /// The law blurred by an uncertain strain: the mean of the tension over N(strain, std^2), and
     /// the slope of this mean with respect to the strain.

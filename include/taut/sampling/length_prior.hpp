@@ -13,6 +13,7 @@ namespace taut {
 /// The prior distribution of the length deviations (fabrication tolerance): independent, the same
 /// for every interior edge, with mean zero.
 struct TAUT_CORE_EXPORT LengthPrior {
+    /// Shape of the distribution.
     enum class Kind {
         uniform,  ///< U(-scale, scale), the paper's
         normal,   ///< N(0, scale^2)
@@ -37,7 +38,8 @@ struct TAUT_CORE_EXPORT LengthPrior {
     /// "uniform:5mm"; parse_length_prior() reads it back.
     [[nodiscard]] std::string to_string() const;
 
-    friend bool operator==(const LengthPrior&, const LengthPrior&) = default;
+    friend bool operator==(const LengthPrior&,
+                           const LengthPrior&) = default;  ///< by shape and scale
 };
 
 /// "uniform:5mm", "normal:2mm", "bimodal:5mm".

@@ -14,6 +14,7 @@ namespace taut {
 /// What is not known exactly of a net besides its lengths (a nuisance parameter): numbers with
 /// independent normal distributions around the design.
 struct TAUT_CORE_EXPORT UncertainParameter {
+    /// What is uncertain.
     enum class Kind {
         stiffness,       ///< logarithm of one factor of EA, or of the tension law, common to edges
         stiffness_each,  ///< one such factor per edge
@@ -32,7 +33,8 @@ struct TAUT_CORE_EXPORT UncertainParameter {
     /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
     [[nodiscard]] std::string to_string() const;
 
-    friend bool operator==(const UncertainParameter&, const UncertainParameter&) = default;
+    friend bool operator==(const UncertainParameter&,
+                           const UncertainParameter&) = default;  ///< by all members
 };
 
 /// "stiffness:5%, supports:1mm", or "none".

@@ -42,7 +42,7 @@ enum class ConeForm {
 
 /// Settings of solve_cone_program().
 struct ConeProgramSettings {
-    ConeForm form = ConeForm::quadratic;
+    ConeForm form = ConeForm::quadratic;  ///< of the energy
     int max_iterations = 100;  ///< of the interior-point method
 };
 
@@ -62,7 +62,7 @@ enum class ConeStatus {
 struct ConeSolution {
     Points form;         ///< 3 x n, supports included [m]
     Points edge_forces;  ///< 3 x m, f of statics/duality.hpp, from the dual variables [N]
-    ConeStatus status = ConeStatus::numerical_error;
+    ConeStatus status = ConeStatus::numerical_error;  ///< how the solver ended
     int iterations = 0;             ///< of the interior-point method
     double primal_objective = 0.0;  ///< [J]
     double dual_objective = 0.0;    ///< [J]

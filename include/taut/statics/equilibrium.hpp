@@ -38,7 +38,7 @@ struct EquilibriumSettings {
 /// The form a net takes: the minimiser of its energy.
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
-    EquilibriumStatus status = EquilibriumStatus::iteration_limit;
+    EquilibriumStatus status = EquilibriumStatus::iteration_limit;  ///< how the iterations ended
     int iterations = 0;            ///< Newton and interior-point steps taken
     double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
     double mean_tension = 0.0;     ///< over the taut edges [N]
@@ -61,8 +61,8 @@ public:
     ///   not positive and finite
     explicit EquilibriumSolver(const CableNet& net, EquilibriumSettings settings = {});
     ~EquilibriumSolver();
-    EquilibriumSolver(EquilibriumSolver&&) noexcept;
-    EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
+    EquilibriumSolver(EquilibriumSolver&&) noexcept;  ///< moves
+    EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;  ///< moves
     EquilibriumSolver(const EquilibriumSolver&) = delete;
     EquilibriumSolver& operator=(const EquilibriumSolver&) = delete;
 

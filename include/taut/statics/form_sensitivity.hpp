@@ -32,8 +32,8 @@ public:
                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                     const Eigen::Ref<const Points>& form);
     ~FormSensitivity();
-    FormSensitivity(FormSensitivity&&) noexcept;
-    FormSensitivity& operator=(FormSensitivity&&) noexcept;
+    FormSensitivity(FormSensitivity&&) noexcept;  ///< moves
+    FormSensitivity& operator=(FormSensitivity&&) noexcept;  ///< moves
     FormSensitivity(const FormSensitivity&) = delete;
     FormSensitivity& operator=(const FormSensitivity&) = delete;
 

@@ -33,7 +33,7 @@ struct MethodResult {
     double training_seconds = 0.0;  ///< Method::training_seconds
     double seconds = 0.0;  ///< mean wall time of one identification, while other threads work
 
-    [[nodiscard]] int identified() const { return surveys - failed; }
+    [[nodiscard]] int identified() const { return surveys - failed; }  ///< that gave lengths
 };
 
 /// The results of a method on surveys, together and one by one.

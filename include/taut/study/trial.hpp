@@ -17,7 +17,7 @@ struct SurveyKind {
     double noise_std = 0.0;    ///< normal noise on every coordinate of a free node [m]
     double hidden_part = 0.0;  ///< of the free nodes, not surveyed; in [0, 1)
 
-    friend bool operator==(const SurveyKind&, const SurveyKind&) = default;
+    friend bool operator==(const SurveyKind&, const SurveyKind&) = default;  ///< by all members
 };
 
 /// A survey whose truth is known.
