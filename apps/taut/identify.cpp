@@ -295,7 +295,7 @@ void print_largest(const CableNet& net, const Identification& result) {
         }
         say("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}{}  {}\n", net.edge_id(e.edge),
             1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper, tension,
-            to_string(e.status));
+            status_text(e.status));
     }
 }
 

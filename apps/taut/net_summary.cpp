@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace taut::app {
 
 std::string counts_text(const CableNet& net) {
@@ -58,6 +60,12 @@ std::string edges_text(const CableNet& net, const std::vector<int>& edges) {
         text += (i == 0 ? ": " : ", ") + net.edge_id(edges[i]);
     }
     return edges.size() > most ? text + ", ..." : text;
+}
+
+std::string status_text(EdgeStatus status) {
+    std::string text(to_string(status));
+    std::ranges::replace(text, '_', ' ');
+    return text;
 }
 
 }  // namespace taut::app

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "taut/estimation/edge_status.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/statics/duality.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -31,5 +32,8 @@ void add_certificate(nlohmann::ordered_json& document, const EnergyCertificate& 
 
 /// "0", or "3: 17, 20, 21" with the edges' names, the first twelve of them.
 [[nodiscard]] std::string edges_text(const CableNet& net, const std::vector<int>& edges);
+
+/// "weakly determined"; files have an underscore there.
+[[nodiscard]] std::string status_text(EdgeStatus status);
 
 }  // namespace taut::app

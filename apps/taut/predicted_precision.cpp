@@ -93,7 +93,7 @@ std::string precision_text(const CableNet& net, const PredictedSurvey& precision
     for (size_t i = 0; i < std::min(shown, worst.size()); ++i) {
         const EdgePrecision& e = worst[i];
         text += fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std,
-                            100.0 * e.std / lengths.prior_std, to_string(e.status));
+                            100.0 * e.std / lengths.prior_std, status_text(e.status));
     }
     text += fmt::format(
         "  mean tension: std {:.3g} % of its {:.4g} kN\n"
