@@ -36,7 +36,7 @@ public:
     ~TargetSurface();
     TargetSurface(const TargetSurface&) = delete;
     TargetSurface& operator=(const TargetSurface&) = delete;
-    TargetSurface(TargetSurface&&) noexcept;  ///< moves
+    TargetSurface(TargetSurface&&) noexcept;             ///< moves
     TargetSurface& operator=(TargetSurface&&) noexcept;  ///< moves
 
     /// The point of the surface that is nearest to another.

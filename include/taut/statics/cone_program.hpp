@@ -43,7 +43,7 @@ enum class ConeForm {
 /// Settings of solve_cone_program().
 struct ConeProgramSettings {
     ConeForm form = ConeForm::quadratic;  ///< of the energy
-    int max_iterations = 100;  ///< of the interior-point method
+    int max_iterations = 100;             ///< of the interior-point method
 };
 
 /// How the conic solver ended.
@@ -63,11 +63,11 @@ struct ConeSolution {
     Points form;         ///< 3 x n, supports included [m]
     Points edge_forces;  ///< 3 x m, f of statics/duality.hpp, from the dual variables [N]
     ConeStatus status = ConeStatus::numerical_error;  ///< how the solver ended
-    int iterations = 0;             ///< of the interior-point method
-    double primal_objective = 0.0;  ///< [J]
-    double dual_objective = 0.0;    ///< [J]
-    double primal_residual = 0.0;   ///< of the constraints, relative, as the solver reports it
-    double dual_residual = 0.0;     ///< of the balance of forces, likewise
+    int iterations = 0;                               ///< of the interior-point method
+    double primal_objective = 0.0;                    ///< [J]
+    double dual_objective = 0.0;                      ///< [J]
+    double primal_residual = 0.0;  ///< of the constraints, relative, as the solver reports it
+    double dual_residual = 0.0;    ///< of the balance of forces, likewise
 
     /// Whether the form is an equilibrium, to the full or the reduced tolerances.
     [[nodiscard]] bool solved() const {

@@ -61,7 +61,7 @@ public:
     ///   not positive and finite
     explicit EquilibriumSolver(const CableNet& net, EquilibriumSettings settings = {});
     ~EquilibriumSolver();
-    EquilibriumSolver(EquilibriumSolver&&) noexcept;  ///< moves
+    EquilibriumSolver(EquilibriumSolver&&) noexcept;             ///< moves
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;  ///< moves
     EquilibriumSolver(const EquilibriumSolver&) = delete;
     EquilibriumSolver& operator=(const EquilibriumSolver&) = delete;

@@ -32,7 +32,7 @@ public:
                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                     const Eigen::Ref<const Points>& form);
     ~FormSensitivity();
-    FormSensitivity(FormSensitivity&&) noexcept;  ///< moves
+    FormSensitivity(FormSensitivity&&) noexcept;             ///< moves
     FormSensitivity& operator=(FormSensitivity&&) noexcept;  ///< moves
     FormSensitivity(const FormSensitivity&) = delete;
     FormSensitivity& operator=(const FormSensitivity&) = delete;
