@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bindings.hpp"
@@ -12,13 +17,88 @@
 #include "documents.hpp"
 #include "given.hpp"
 #include "taut/results/comparison_files.hpp"
+#include "taut/results/control_files.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/study/comparison.hpp"
+#include "taut/study/control.hpp"
 #include "taut/study/study.hpp"
 
 namespace taut::python {
 
+namespace {
+
+nb::object controlled(const CableNet& net, double stroke,
+                      const std::optional<std::pair<double, double>>& tension,
+                      const std::optional<double>& turn, const std::optional<double>& step,
+                      double noise, double hidden_part, double actuator_std, double confidence,
+                      const std::string& prior, const std::vector<std::string>& uncertain,
+                      int draws, int rounds, int trials, std::uint64_t seed,
+                      const nb::object& progress) {
+    ControlSettings settings{.prior = parse_length_prior(prior),
+                             .uncertain = uncertain_given(net, uncertain),
+                             .noise_std = noise,
+                             .hidden_part = hidden_part,
+                             .actuator_std = actuator_std,
+                             .stroke = stroke,
+                             .confidence = confidence,
+                             .draws = draws,
+                             .rounds = rounds,
+                             .trials = trials,
+                             .seed = seed};
+    if (assumes_site(uncertain)) {
+        settings.uncertain = with_site_assumptions(net, settings.uncertain);
+    }
+    if (tension) {
+        settings.least_tension = tension->first;
+        settings.most_tension = std::isinf(tension->second) ? 0.0 : tension->second;
+    }
+    if (turn) {
+        settings.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
+    } else if (step) {
+        throw nb::value_error("step: is a part of a turn, and turn is not given");
+    }
+    return dict_of(control_to_json(interruptible(progress,
+                                                 [&](const Progress& reporter) {
+                                                     return simulate_control(net, settings,
+                                                                             reporter);
+                                                 }),
+                                   net, settings, {}));
+}
+
+}  // namespace
+
 void bind_study(nb::module_& module) {
+    module.def(
+        "control", &controlled, nb::arg("net"), nb::kw_only(),
+        nb::arg("stroke") = ControlSettings().stroke, nb::arg("tension") = nb::none(),
+        nb::arg("turn") = nb::none(), nb::arg("step") = nb::none(),
+        nb::arg("noise") = ControlSettings().noise_std,
+        nb::arg("hidden_part") = ControlSettings().hidden_part,
+        nb::arg("actuator_std") = ControlSettings().actuator_std,
+        nb::arg("confidence") = ControlSettings().confidence, nb::arg("prior") = "uniform:5mm",
+        nb::arg("uncertain") = std::vector<std::string>(),
+        nb::arg("draws") = ControlSettings().draws, nb::arg("rounds") = ControlSettings().rounds,
+        nb::arg("trials") = ControlSettings().trials, nb::arg("seed") = 1,
+        nb::arg("progress") = nb::none(),
+        R"(Simulates whole jobs of survey, identification, plan and turns, beside the same with the
+true lengths and with the design only: what control.json holds.
+
+Args:
+    stroke: largest change of length of a turnbuckle since installation, either way [m].
+    tension: least and most tension of all edges [N]; None: no edge slack.
+    turn: change of length by one turn [m]; None: any stroke can be turned.
+    step: smallest part of a turn.
+    noise: standard deviation of a surveyed coordinate [m].
+    hidden_part: part of the free nodes that is not surveyed.
+    actuator_std: standard deviation of a stroke from the planned one [m].
+    confidence: probability with which plans on identified lengths keep the limits.
+    prior, uncertain: of the nets as built, as of identify.
+    draws: posterior samples of each identification.
+    rounds: number of surveys, each followed by its turns.
+    trials: number of simulated nets.
+
+Raises:
+    ValueError: for settings out of range.)");
     module.def(
         "compare",
         [](const CableNet& net, const std::vector<double>& noises,
