@@ -30,12 +30,13 @@ endif()
 
 if(TAUT_HAS_CLARABEL)
     set(crate ${PROJECT_SOURCE_DIR}/extern/clarabel_c)
-    set(library ${PROJECT_BINARY_DIR}/clarabel_c/release/libclarabel_c.a)
+    set(library ${PROJECT_BINARY_DIR}/clarabel_c/libclarabel_c.a)
+    # Builds that differ in nothing that Rust sees can share this folder.
+    set(TAUT_CARGO_FOLDER ${PROJECT_BINARY_DIR}/clarabel_c CACHE PATH "Where cargo builds Clarabel")
     add_custom_command(OUTPUT ${library}
         COMMAND ${TAUT_CARGO} build --release --locked --quiet
-            --manifest-path ${crate}/Cargo.toml --target-dir ${PROJECT_BINARY_DIR}/clarabel_c
-        # cargo leaves a library that is up to date as it was.
-        COMMAND ${CMAKE_COMMAND} -E touch ${library}
+            --manifest-path ${crate}/Cargo.toml --target-dir ${TAUT_CARGO_FOLDER}
+        COMMAND ${CMAKE_COMMAND} -E copy ${TAUT_CARGO_FOLDER}/release/libclarabel_c.a ${library}
         DEPENDS ${crate}/Cargo.toml ${crate}/Cargo.lock ${crate}/src/lib.rs
         COMMENT "Building the conic solver Clarabel with cargo")
     add_custom_target(taut_clarabel_c DEPENDS ${library})

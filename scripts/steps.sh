@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: MIT
 #
 # For .ci/run and scripts/nightly.sh, which source it: `step COMMAND...` runs a command, says how long it
-# took, and ends the run where it fails; `print_times` prints the table of all steps.
+# took, and ends the run where it fails; `print_times` prints the table of all steps. `beside FUNCTION` runs
+# the steps of a function at the same time as those that follow, until `join`: most of its steps take one
+# core, and what compiles takes the other. What it prints is shown when it has ended.
 run_name=${run_name:-ci}
 declare -a step_rows=()
+lane=
 
 step() {
     local start=$SECONDS
@@ -20,4 +23,29 @@ step() {
 
 print_times() {
     ((${#step_rows[@]} == 0)) || printf "$run_name: %s\n" "${step_rows[@]}"
+}
+
+beside() { # function
+    lane=$(mktemp -d)
+    (
+        step_rows=()
+        trap 'printf "%s\n" "${step_rows[@]}" >"$lane/rows"' EXIT
+        "$1"
+    ) >"$lane/log" 2>&1 &
+    lane_process=$!
+    trap 'kill $lane_process 2>/dev/null || true' EXIT
+}
+
+join() {
+    local status=0
+    wait "$lane_process" || status=$?
+    trap - EXIT
+    cat "$lane/log"
+    mapfile -t -O "${#step_rows[@]}" step_rows <"$lane/rows"
+    rm -rf "$lane"
+    if ((status != 0)); then
+        echo "$run_name: FAILED in the steps that ran beside others" >&2
+        print_times >&2
+        exit 1
+    fi
 }
