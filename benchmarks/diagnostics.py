@@ -289,9 +289,9 @@ CASES = [
 ]
 
 
-def ends_of(net, culprit):
+def ends_of(net, suspect):
     """The nodes that have to be seen for it to show."""
-    kind, index = culprit
+    kind, index = suspect
     edges = net.edges[[index]] if kind == "edge" else net.edges[(net.edges == index).any(axis=1)]
     return set(edges.ravel().tolist())
 
@@ -339,14 +339,14 @@ def try_survey(net, case, folder, seed):
                   if e.get("beside_target") and ("edge", e["edge"]) in suspects}
     false_alarms = len(named - suspects) + sum(o["id"] not in confounded for o in result["survey"]["outliers"])
     for entry in found["boundary"]:
-        named, rival = ("edge", "support") if "edge" in entry else ("support", "edge")
-        either = {(named, entry.get("edge", entry.get("node")))}
+        kind, other = ("edge", "support") if "edge" in entry else ("support", "edge")
+        either = {(kind, entry.get("edge", entry.get("node")))}
         if entry["confounded_with"] is not None:
-            either.add((rival, int(entry["confounded_with"])))
+            either.add((other, int(entry["confounded_with"])))
         false_alarms += not either & suspects
         named |= either
     known = seen | set(net.data["supports"])
-    shown = {c for c in suspects if ends_of(net, c) <= known}
+    shown = {one for one in suspects if ends_of(net, one) <= known}
     return {
         "said": result["trust"]["verdict"],
         "why": result["findings"][0]["kind"] if result["findings"] else "",

@@ -29,6 +29,10 @@ constexpr double far_too_small = 1.2;
 /// More of the boundary that contradict the survey, and it is not single ones that are wrong.
 constexpr int a_few_of_boundary = 3;
 
+/// Of the lengths: so many outliers are named one by one only where the prior is too narrow.
+constexpr size_t many_lengths = 5;
+constexpr double many_of_lengths = 0.03;
+
 /// Of the targets: fewer are left out in a sound survey.
 constexpr double few_outliers = 0.1;
 
@@ -334,6 +338,17 @@ private:
                                        "errors of cutting.",
                                        check.outliers, used),
                  .next = "Check the prior, the net and the frame."});
+        } else if (const size_t outliers = m_result.length_outliers.size();
+                   outliers >= many_lengths &&
+                   static_cast<double>(outliers) >
+                       many_of_lengths * static_cast<double>(m_result.edges.size())) {
+            add({.kind = FindingKind::prior,
+                 .severity = Verdict::failed,
+                 .value = static_cast<double>(outliers),
+                 .reason = fmt::format("{} of {} lengths lie outside the prior {}. Either so many "
+                                       "cables are wrong, or the prior is too narrow.",
+                                       outliers, m_result.edges.size(), used),
+                 .next = "Give a wider prior, or none. What is then still named is wrong."});
         }
     }
 
