@@ -29,7 +29,7 @@ test::SimulatedSurvey hard_survey(const CableNet& net, const LengthPrior& prior,
 
 TEST(MaximumAPosteriori, ConvergesOnHardSurveys) {
     constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.005};
-    const CableNet middle = hypar(9, 9);
+    const CableNet middle = hypar(7, 7);
     for (const CableNet& net :
          {hilo_quarter(), test::stiffened(middle, 10.0), test::stiffened(middle, 50.0)}) {
         int converged = 0;
