@@ -10,14 +10,9 @@ namespace taut::test {
 class BuiltNetTest : public ProgramTest {
 protected:
     BuiltNetTest() {
-        must_run({"example", "hilo-quarter", "-o", "net.json"});
-        build(7);
-    }
-
-    /// Builds it again, with other lengths.
-    void build(int seed) const {
-        must_run({"form", "net.json", "--prior", "uniform:5mm", "--seed", std::to_string(seed),
-                  "-o", "built.csv", "--lengths", "truth.csv"});
+        must_have_run({{"example", "hilo-quarter", "-o", "net.json"},
+                       {"form", "net.json", "--prior", "uniform:5mm", "--seed", "7", "-o",
+                        "built.csv", "--lengths", "truth.csv"}});
     }
 
     void survey(const Words& options) const {

@@ -123,6 +123,20 @@ std::string ProgramTest::must_run(const Words& arguments) const {
     return outcome.out;
 }
 
+void ProgramTest::must_have_run(const std::vector<Words>& commands) const {
+    static std::map<std::vector<Words>, Files> made;
+    if (const auto found = made.find(commands); found != made.end()) {
+        for (const auto& [file, content] : found->second) {
+            write(file, content);
+        }
+        return;
+    }
+    for (const Words& command : commands) {
+        must_run(command);
+    }
+    made.emplace(commands, files());
+}
+
 RunningProgram ProgramTest::start(const Words& arguments) const {
     return {m_folder, m_records, arguments};
 }

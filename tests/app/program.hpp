@@ -66,6 +66,9 @@ protected:
     [[nodiscard]] Outcome run(const Words& arguments) const;
     /// The same, which must succeed without a word on standard error. Gives standard output.
     std::string must_run(const Words& arguments) const;
+    /// What commands make in the empty folder, each of which must succeed; they run once for all
+    /// tests of the program.
+    void must_have_run(const std::vector<Words>& commands) const;
     /// A run to be watched or interrupted.
     [[nodiscard]] RunningProgram start(const Words& arguments) const;
 

@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 class Chain : public ProgramTest {
 protected:
-    Chain() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
+    Chain() { must_have_run({{"example", "hypar:3x4", "-o", "net.json"}}); }
 
     void survey() const {
         must_run({"form", "net.json", "--prior", "uniform:2mm", "-o", "form.csv"});
@@ -117,18 +117,13 @@ TEST_F(Chain, IdentifyFindsTheLengthsOfASampleFromItsForm) {
     const json result = json::parse(printed);
     EXPECT_EQ(result["method"], "gp");
     ASSERT_EQ(result["edges"].size(), 17U);
-    double squares = 0.0;
     for (size_t i = 0; i < result["edges"].size(); ++i) {
         const json& edge = result["edges"][i];
         EXPECT_EQ(edge["edge"], m_net.interior_edges()[i]);
-        EXPECT_LT(edge["lower"], edge["length_deviation"]);
-        EXPECT_LT(edge["length_deviation"], edge["upper"]);
         const double error = edge["length_deviation"].get<double>() -
                              truth.length_deviations(static_cast<int>(i), 0);
         EXPECT_LT(std::abs(error), 6.0 * edge["std"].get<double>()) << edge.dump();
-        squares += error * error;
     }
-    EXPECT_LT(squares, 0.05 * truth.length_deviations.col(0).squaredNorm());
 }
 
 TEST_F(Chain, IdentifyAssumesWhatIsNotGivenAndSaysSo) {

@@ -17,17 +17,17 @@ using ::testing::HasSubstr;
 class EpochCommand : public ProgramTest {
 protected:
     EpochCommand() {
-        must_run({"example", "hypar:6x6", "-o", "net.json"});
-        must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "-o", "built.csv",
-                  "--lengths", "truth.csv"});
-        must_run({"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "first.csv"});
-        must_run({"identify", "net.json", "first.csv", "--prior", "uniform:3mm", "--draws", "50",
-                  "-o", "one.json"});
-        must_run({"plan", "net.json", "one.json", "-o", "plan.json", "--csv", "turns.csv"});
-        must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "--turned",
-                  "turns.csv", "-o", "turned_form.csv"});
-        must_run({"survey", "net.json", "turned_form.csv", "--noise", "0.3mm", "--seed", "2", "-o",
-                  "second.csv"});
+        must_have_run({{"example", "hypar:6x6", "-o", "net.json"},
+                       {"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "-o",
+                        "built.csv", "--lengths", "truth.csv"},
+                       {"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "first.csv"},
+                       {"identify", "net.json", "first.csv", "--prior", "uniform:3mm", "--draws",
+                        "50", "-o", "one.json"},
+                       {"plan", "net.json", "one.json", "-o", "plan.json", "--csv", "turns.csv"},
+                       {"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "--turned",
+                        "turns.csv", "-o", "turned_form.csv"},
+                       {"survey", "net.json", "turned_form.csv", "--noise", "0.3mm", "--seed", "2",
+                        "-o", "second.csv"}});
     }
 
     [[nodiscard]] Outcome identify(const std::string& epoch) const {

@@ -22,7 +22,7 @@ const std::string endless = "10000000";
 
 class Interruption : public ProgramTest {
 protected:
-    Interruption() { must_run({"example", "hypar:6x6", "-o", "net.json"}); }
+    Interruption() { must_have_run({{"example", "hypar:6x6", "-o", "net.json"}}); }
 
     /// Sends a signal to a run until `met` says that it met the run at work.
     template <typename Condition>

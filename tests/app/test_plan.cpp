@@ -25,10 +25,12 @@ using ::testing::StartsWith;
 class PlanCommand : public ProgramTest {
 protected:
     PlanCommand() {
-        must_run({"example", "hypar:6x6", "-o", "net.json"});
-        must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "-o", "built.csv"});
-        must_run({"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "survey.csv"});
-        identify({"--draws", "50", "-o", "result.json"});
+        must_have_run(
+            {{"example", "hypar:6x6", "-o", "net.json"},
+             {"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "-o", "built.csv"},
+             {"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "survey.csv"},
+             {"identify", "net.json", "survey.csv", "--prior", "uniform:3mm", "--draws", "50", "-o",
+              "result.json"}});
     }
 
     void identify(const Words& options) const {

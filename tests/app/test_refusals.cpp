@@ -74,6 +74,18 @@ auto requests(const std::string& table) {
 class Refused : public ProgramTest, public testing::WithParamInterface<Request> {
 protected:
     Refused() {
+        static const Files made = make_files();
+        for (const auto& [file, content] : made) {
+            if (file.ends_with('/')) {
+                std::filesystem::create_directory(folder() / file);
+            } else {
+                write(file, content);
+            }
+        }
+    }
+
+    /// What all requests find, made once.
+    Files make_files() const {
         const CableNet net = hypar(2, 3);
         const CableNet other = hypar(2, 4);
         write("net.json", net_to_json(net));
@@ -105,6 +117,7 @@ protected:
         write("forces.csv", "edge,tension\n3,5000\n");
         write("forces_of_another_net.csv", "edge,tension\ncable 9,500\n");
         write("three.txt", "3\n");
+        return files();
     }
 
     void make_data_and_model(const CableNet& net, const std::string& prefix) const {

@@ -13,9 +13,9 @@ using nlohmann::json;
 class RenamedOptions : public ProgramTest {
 protected:
     RenamedOptions() {
-        must_run({"example", "hypar:6x6", "-o", "net.json"});
-        must_run({"form", "net.json", "--prior", "uniform:3mm", "-o", "form.csv"});
-        must_run({"survey", "net.json", "form.csv", "--noise", "0.3mm", "-o", "survey.csv"});
+        must_have_run({{"example", "hypar:4x5", "-o", "net.json"},
+                       {"form", "net.json", "--prior", "uniform:3mm", "-o", "form.csv"},
+                       {"survey", "net.json", "form.csv", "--noise", "0.3mm", "-o", "survey.csv"}});
     }
 
     /// The result under the old names must be that under the new ones.

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 class Reproduce : public ProgramTest {
 protected:
-    Reproduce() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
+    Reproduce() { must_have_run({{"example", "hypar:3x4", "-o", "net.json"}}); }
 
     std::string reproduce(const std::string& directory,
                           const std::string& extra = "--quiet") const {

@@ -70,23 +70,6 @@ TEST_F(SiteWorkflow, SaysWhereTheFileHasAnotherNoiseThanTheOptionAndEstimatesIt)
     EXPECT_NEAR(json::parse(read("r.json"))["noise"].get<double>(), 0.5e-3, 0.05e-3);
 }
 
-TEST_F(SiteWorkflow, FindsATargetThatSomebodyMoved) {
-    survey({"--noise", "0.5mm"});
-    edit("survey.csv", [](const std::string& line, int) {
-        if (!line.starts_with("40,")) {
-            return line;
-        }
-        const size_t z = first_fields(line, 3).size() + 1;
-        const size_t end = first_fields(line, 4).size();
-        const double moved = std::stod(line.substr(z)) + 0.05;
-        return line.substr(0, z) + std::to_string(moved) + line.substr(end);
-    });
-    const json result = identified();
-    ASSERT_EQ(result["survey"]["outliers"].size(), 1U);
-    EXPECT_EQ(result["survey"]["outliers"][0]["node"], 40);
-    expect_truth_within(result, 1.0e-3, 0.92);
-}
-
 TEST_F(SiteWorkflow, GivesTensionsWithIntervalsAndKeepsThePosteriorSamples) {
     survey({"--noise", "0.5mm", "--drop", "10%"});
     EXPECT_THAT(must_run({"identify", "net.json", "survey.csv", "-o", "r.json"}),

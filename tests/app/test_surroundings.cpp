@@ -36,7 +36,7 @@ constexpr bool has_sanitizer = false;
 
 class Surroundings : public ProgramTest {
 protected:
-    Surroundings() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
+    Surroundings() { must_have_run({{"example", "hypar:3x4", "-o", "net.json"}}); }
 
     /// The exit code of a line of the shell, in which "taut" is the program.
     [[nodiscard]] int shell(const std::string& line) const {

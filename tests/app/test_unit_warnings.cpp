@@ -3,10 +3,6 @@
 //
 // Guards against a slip of units that commands take in silence.
 
-#include <fmt/core.h>
-
-#include <sstream>
-
 #include "app/program.hpp"
 #include "support/foreign_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -74,23 +70,6 @@ TEST_F(UnitWarnings, NameANoiseInMetres) {
     expect_error(run({"survey", "net.json", "form.csv", "--noise", "5", "-o", "survey.csv"}), 2,
                  "5mm");
     expect_warning({"inspect", "net.json", "--survey", "form.csv", "--noise", "0.05"}, "form.csv");
-}
-
-TEST_F(UnitWarnings, NameASurveyOfAnotherScale) {
-    must_run({"example", "hilo-quarter", "-o", "quarter.json"});
-    must_run({"form", "quarter.json", "-o", "form.csv"});
-    must_run({"survey", "quarter.json", "form.csv", "--noise", "0.5mm", "-o", "survey.csv"});
-    must_run({"inspect", "quarter.json", "--survey", "survey.csv"});
-    edit("survey.csv", [](const std::string& line, int number) {
-        std::string text = first_fields(line, 1);
-        std::istringstream fields(line.substr(text.size() + 1));
-        int k = 0;
-        for (std::string field; number > 0 && std::getline(fields, field, ','); ++k) {
-            text += fmt::format(",{}", (k < 3 ? 1.0005 : 1.0) * std::stod(field));
-        }
-        return number > 0 ? text : line;
-    });
-    expect_warning({"inspect", "quarter.json", "--survey", "survey.csv"}, "survey.csv");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/sampling/model_perturbation.hpp"
 
-namespace {
+namespace of_forces {
 
 using namespace taut;
 using namespace taut::test;
@@ -363,4 +363,4 @@ TEST(Seen, WhatTheSurveyContradictsIsNamedAndNotUsed) {
     EXPECT_THAT(taut.contradicted_taut, testing::ElementsAre(hanging));
 }
 
-}  // namespace
+}  // namespace of_forces

@@ -18,7 +18,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/sampling/sampler.hpp"
 
-namespace {
+namespace of_identify {
 
 using namespace taut;
 using ::testing::HasSubstr;
@@ -154,4 +154,4 @@ TEST_F(Identify, FindsAGrossErrorWhateverTheMethod) {
     }
 }
 
-}  // namespace
+}  // namespace of_identify

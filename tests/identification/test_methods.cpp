@@ -41,7 +41,7 @@ const CableNet net_7x7 = hypar(7, 7);
 TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
     using Method =
         std::function<Identification(const CableNet&, const Survey&, const LengthPrior&)>;
-    constexpr int surveys = 40;
+    constexpr int surveys = 20;
     for (const LengthPrior& prior : {uniform_3mm, normal_prior}) {
         for (const double noise : {0.0001, 0.0005, 0.002}) {
             for (const Method& by : {Method(map), Method(identify_by_force_balance)}) {
@@ -90,7 +90,7 @@ TEST(CramerRaoBound, IsTheTextbookPosteriorVariance) {
 TEST(MaximumAPosteriori, FindsGrossErrorsAndLeavesThemOut) {
     double clean = 0.0;
     double spoilt = 0.0;
-    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
         SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, seed);
         clean += squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations);
         const int moved = net_7x7.free_nodes()[seed];
@@ -177,8 +177,8 @@ TEST(Methods, GiveFiniteNumbersWhereNodesAreLoose) {
     const LengthPrior wide{LengthPrior::Kind::uniform, 0.02};
     const Sampler sampler(net, wide, 3);
     DataSet data = sampler.empty();
-    sampler.extend(data, 40);
-    for (const int k : data.converged_in(0, 40)) {
+    sampler.extend(data, 20);
+    for (const int k : data.converged_in(0, 20)) {
         for (const double noise : {0.0, 0.0005}) {
             const Survey survey{
                 .form = with_free_coordinates(net, data.nominal_form + data.form_deviations.col(k)),

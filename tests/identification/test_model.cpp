@@ -16,7 +16,7 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/sampler.hpp"
 
-namespace {
+namespace of_model {
 
 using namespace taut;
 
@@ -99,4 +99,4 @@ TEST(Train, RefusesSamplesThatAreNotThere) {
     EXPECT_THROW((void)train(net(), data, {0, 1, 2, 3}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace of_model

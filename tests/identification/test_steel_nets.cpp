@@ -92,14 +92,14 @@ void expect_sound(const Tally& found, double coverage_tolerance) {
 TEST(SteelNet, ConvergesWithIntervalsThatHold) {
     for (const double factor : {20.0, 500.0}) {
         const Tally found =
-            tally(stiffened(hilo_quarter(), factor), uniform_prior(0.003), 0.0005, 10, 0);
+            tally(stiffened(hilo_quarter(), factor), uniform_prior(0.003), 0.0005, 5, 0);
         expect_sound(found, 0.015);
         EXPECT_TRUE(found.far_off == 0 || factor < 100.0);
     }
 }
 
 // A roof of steel, our own and the real one: what must hold of both. Errors of one survey's lengths
-// go together, so that the coverage of 20 surveys varies by some 0.4 %.
+// go together, so that the coverage of 10 surveys varies by some 0.5 %.
 constexpr double noise_on_site = 0.0005;
 
 TEST(SteelRoof, HasADozenSlackEdgesOnceItsLengthsDeviate) {
@@ -113,37 +113,37 @@ TEST(SteelRoof, HasADozenSlackEdgesOnceItsLengthsDeviate) {
 }
 
 TEST(SteelRoof, KeepsAllSoundTargets) {
-    const Tally found = tally(steel_lattice(), uniform_prior(0.005), noise_on_site, 20, 0);
+    const Tally found = tally(steel_lattice(), uniform_prior(0.005), noise_on_site, 10, 0);
     expect_sound(found, 0.012);
     EXPECT_LE(found.far_off, 1);
 }
 
 TEST(SteelRoof, ShowsManyGrossErrors) {
-    expect_sound(tally(steel_lattice(), uniform_prior(0.001), noise_on_site, 4, 20), 0.015);
+    expect_sound(tally(steel_lattice(), uniform_prior(0.001), noise_on_site, 2, 20), 0.015);
 }
 
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
 TEST(SteelRoof, ConvergesWithLittleNoise) {
-    expect_sound(tally(steel_lattice(), uniform_prior(0.005), 0.00005, 20, 0), 0.012);
+    expect_sound(tally(steel_lattice(), uniform_prior(0.005), 0.00005, 10, 0), 0.012);
 }
 
 TEST(HiloRoof, KeepsAllSoundTargets) {
     TAUT_NEEDS_HILO_ROOF();
-    const Tally found = tally(hilo_roof(), uniform_prior(0.005), noise_on_site, 5, 0);
+    const Tally found = tally(hilo_roof(), uniform_prior(0.005), noise_on_site, 2, 0);
     expect_sound(found, 0.01);
     EXPECT_LE(found.far_off, 1);
 }
 
 TEST(HiloRoof, ConvergesWithLittleNoise) {
     TAUT_NEEDS_HILO_ROOF();
-    expect_sound(tally(hilo_roof(), uniform_prior(0.005), 0.00005, 2, 0), 0.01);
+    expect_sound(tally(hilo_roof(), uniform_prior(0.005), 0.00005, 1, 0), 0.01);
 }
 
 // Strands that bed in: tangents of their tension laws are 0 on one side of a corner and steep on
 // the other.
 TEST(TwoSlopeRoof, ConvergesWithIntervalsThatHold) {
-    expect_sound(tally(steel_roof(), uniform_prior(0.002), 0.0003, 6, 0), 0.02);
-    expect_sound(tally(steel_roof(), uniform_prior(0.005), noise_on_site, 6, 0), 0.02);
+    expect_sound(tally(steel_roof(), uniform_prior(0.002), 0.0003, 3, 0), 0.02);
+    expect_sound(tally(steel_roof(), uniform_prior(0.005), noise_on_site, 3, 0), 0.02);
 }
 
 /// The strain of an edge of a net as built.

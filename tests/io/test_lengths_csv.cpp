@@ -59,7 +59,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(BadText{"Missing", "ab,0.97,0\n", " holds no length of edge 'a,B'"},
                     BadText{"NotPositive", "ab,0.97,-0.97\n", "3: edge 'ab' is 0 m long"},
                     BadText{"OfAnotherNet", "ab,0.98,0\n",
-                            "3: the nominal length of edge 'ab' is 0.98 m, expected 0.97 m"}),
+                            "3: the nominal length of edge 'ab' is 0.98 m, expected 0.97 m"},
+                    BadText{"OfAShorterNet", "ab,0.96,0\n",
+                            "3: the nominal length of edge 'ab' is 0.96 m, expected 0.97 m"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 
 }  // namespace

@@ -4,6 +4,8 @@
 // Guards against results that depend on how many processes shared the work: other random numbers,
 // sums in another order, trials lost or counted twice.
 
+#include <map>
+
 #include "app/program.hpp"
 
 namespace {
@@ -26,17 +28,22 @@ void remove_times(json& document) {
     }
 }
 
+using Printed = std::pair<std::string, std::string>;
+
 class OverRanks : public ProgramTest, public testing::WithParamInterface<std::string> {
 protected:
     OverRanks() { must_run({"taut", "example", "hypar:5x5", "-o", "net.json"}); }
 
-    /// What taut prints and writes into a file, which is removed.
-    [[nodiscard]] std::pair<std::string, std::string> by_taut(const Words& words,
-                                                              const std::string& file) const {
-        return by("taut", words, file);
+    /// What taut prints and writes into a file, which is removed. It works once for all numbers of
+    /// processes.
+    [[nodiscard]] const Printed& by_taut(const Words& words, const std::string& file) const {
+        static std::map<Words, Printed> known;
+        const Words key = joined(words, {file});
+        const auto found = known.find(key);
+        return found != known.end() ? found->second
+                                    : known.emplace(key, by("taut", words, file)).first->second;
     }
-    [[nodiscard]] std::pair<std::string, std::string> by_ranks(const Words& words,
-                                                               const std::string& file) const {
+    [[nodiscard]] Printed by_ranks(const Words& words, const std::string& file) const {
         return by(GetParam(), words, file);
     }
 
@@ -49,11 +56,11 @@ protected:
     }
 
 private:
-    [[nodiscard]] std::pair<std::string, std::string> by(const std::string& who, const Words& words,
-                                                         const std::string& file) const {
+    [[nodiscard]] Printed by(const std::string& who, const Words& words,
+                             const std::string& file) const {
         const Outcome outcome = run(joined({who}, words));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        std::pair<std::string, std::string> result{outcome.out, read(file)};
+        Printed result{outcome.out, read(file)};
         std::filesystem::remove(folder() / file);
         return result;
     }
@@ -86,19 +93,19 @@ TEST_P(OverRanks, TrainGivesTheSameModel) {
 
 TEST_P(OverRanks, CompareGivesTheSameNumbers) {
     expect_same_json(
-        {"compare", "net.json", "-o", "out", "--noise", "0,0.5mm", "--training", "20,30",
-         "--hidden", "0,25%", "--surveys", "5", "--uncertain", "supports:2mm", "--epochs", "2"},
+        {"compare", "net.json", "-o", "out", "--noise", "0.5mm", "--training", "20", "--hidden",
+         "0,25%", "--surveys", "5", "--uncertain", "supports:2mm", "--epochs", "2"},
         "out/comparison.json");
 }
 
 TEST_P(OverRanks, ControlGivesTheSameNumbers) {
     const Words words{"control",  "net.json", "-o",      "out", "--trials",  "3",
-                      "--rounds", "2",        "--draws", "40",  "--tension", "0.1kN..100kN"};
+                      "--rounds", "1",        "--draws", "40",  "--tension", "0.1kN..100kN"};
     expect_same_json(words, "out/control.json");
     EXPECT_EQ(by_ranks(words, "out/control.csv"), by_taut(words, "out/control.csv"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Processes, OverRanks, testing::Values("1", "2", "3", "4"),
+INSTANTIATE_TEST_SUITE_P(Processes, OverRanks, testing::Values("2", "3"),
                          [](const auto& processes) { return processes.param; });
 
 }  // namespace

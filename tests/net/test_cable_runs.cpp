@@ -32,6 +32,13 @@ TEST(CableRuns, OfAGridAreItsLines) {
     EXPECT_EQ(std::ssize(all), net.edge_count());
 }
 
+TEST(CableRuns, HaveTwoEdgesAtTheLeast) {
+    const std::vector<std::vector<int>> runs = cable_runs(hypar(1, 1));
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0].size(), 2U);
+    EXPECT_EQ(runs[1].size(), 2U);
+}
+
 TEST(CableRuns, AreThoseOfTheNetIfItGivesAny) {
     CableNetData data = hypar(3, 3).data();
     data.runs = {{.name = "warp", .edges = {4, 2}}, {.name = "", .edges = {7}}};

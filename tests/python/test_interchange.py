@@ -2,16 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Guards against a net from COMPAS or JAX FDM that is not in equilibrium where it was there."""
 
-import os
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 import taut
-
-REAL = Path(os.environ.get("TAUT_REAL_DATA", Path(__file__).parents[3] / "shared" / "data"))
-
 
 compas = pytest.importorskip("compas")
 
@@ -75,19 +70,6 @@ def test_an_old_compas_is_refused(monkeypatch):
     monkeypatch.setattr(compas, "__version__", "1.17.5")
     with pytest.raises(ImportError, match=r"COMPAS 2, this is 1\.17\.5"):
         taut.CableNet.from_compas(object())
-
-
-def test_a_real_net_of_compas():
-    path = REAL / "texas" / "texas.fofin"
-    if not path.exists():
-        pytest.skip(f"{path} is not there (TAUT_REAL_DATA)")
-    with (
-        pytest.warns(UserWarning, match="hardly any tension"),
-        pytest.warns(UserWarning, match="l0 does not agree"),
-    ):
-        net = taut.CableNet.from_compas(path, select="cablenet", axial_stiffness=200e3)
-    assert len(net.free_nodes) == 144
-    assert taut.solve_equilibrium(net).is_balanced
 
 
 def test_a_file_of_compas(tmp_path):

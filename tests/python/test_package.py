@@ -104,13 +104,13 @@ def resident():
 
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory as Linux reports it")
 def test_memory_is_given_back():
-    net = taut.hypar(12, 12)
+    net = taut.hypar(5, 5)
     columns = taut.simulate_survey(net, net.nodes, noise=1e-3, seed=1)
 
     def round_trip():
         copy = taut.CableNet.from_json(net.to_json())
         survey = taut.read_survey(copy, columns)
-        found = taut.identify(copy, survey, draws=20)
+        found = taut.identify(copy, survey, draws=200)
         views = [found.tension, found.form, copy.nodes, found.length_draws]
         with pytest.raises(ValueError, match="prior"):
             taut.identify(copy, survey, prior="no prior")
@@ -123,7 +123,7 @@ def test_memory_is_given_back():
     for _ in range(40):
         round_trip()
     gc.collect()
-    # One survey's result is some 0.2 MB, of which 40 would be left behind.
+    # One survey's samples are some 0.3 MB, of which 40 would be left behind.
     assert resident() - before < 4e6
 
 

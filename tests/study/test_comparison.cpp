@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,8 +48,14 @@ const ComparisonRow& row_of(const Comparison& comparison, const std::string& met
 
 class SmallComparison : public testing::Test {
 protected:
+    /// Computed once for all tests.
+    static const Comparison& the_comparison() {
+        static const Comparison comparison = compare_methods(hypar(4, 5), small_comparison);
+        return comparison;
+    }
+
     const CableNet m_net = hypar(4, 5);
-    const Comparison m_comparison = compare_methods(m_net, small_comparison);
+    const Comparison& m_comparison = the_comparison();
 };
 
 TEST_F(SmallComparison, HasARowForEachMethodAndPlaceOnItsAxes) {
@@ -147,6 +154,45 @@ TEST(Comparison, CountsSurveysWithSlackEdges) {
     EXPECT_EQ(balance.failed, 0) << balance.first_failure;
     EXPECT_LT(balance.mse_of_taut, 1e-20);
     EXPECT_GT(balance.errors.mse, 1e-9);
+}
+
+/// One kind of survey of hypar:5x6.
+ComparisonSettings of_one_kind(int surveys) {
+    return {.noises = {5e-4},
+            .training_samples = {60},
+            .hidden_parts = {},
+            .surveys = surveys,
+            .prior = {LengthPrior::Kind::uniform, 0.002}};
+}
+
+TEST(Comparison, GivesMethodsTheModelErrorsOrNot) {
+    ComparisonSettings settings = of_one_kind(6);
+    settings.uncertain = {parse_uncertain_parameter("supports:2mm"),
+                          parse_uncertain_parameter("stiffness:5%")};
+    std::map<std::string, double> coverage;
+    for (const ComparisonRow& row : compare_methods(hypar(5, 6), settings).model_error_rows) {
+        coverage[row.result.name + " " + std::string(to_string(row.model_errors))] =
+            row.result.coverage;
+    }
+    EXPECT_EQ(coverage.size(), 6U);  // four methods not given them, gp and map given them
+    EXPECT_LT(coverage["map not given"], 0.9);
+    EXPECT_GT(coverage["map given"], 0.9);
+}
+
+TEST(Comparison, IsOfSeveralSurveysOfEachNetWithAndWithoutTurnsInBetween) {
+    ComparisonSettings settings = of_one_kind(4);
+    settings.epochs = 3;
+    std::map<std::string, double> mse;
+    for (const ComparisonRow& row : compare_methods(hypar(5, 6), settings).epoch_rows) {
+        EXPECT_EQ(row.result.failed, 0);
+        EXPECT_GT(row.result.coverage, 0.9);
+        mse[std::to_string(row.epochs) + (row.is_turned ? "t" : "")] = row.result.errors.mse;
+    }
+    EXPECT_EQ(mse.size(), 5U);
+    EXPECT_LT(mse["2"], 0.8 * mse["1"]);
+    EXPECT_LT(mse["2t"], 0.8 * mse["1"]);
+    EXPECT_LT(mse["3"], mse["2"]);
+    EXPECT_LT(mse["3t"], mse["2t"]);
 }
 
 TEST(Comparison, ReportsItsProgressToItsEndAndStopsWhereRequested) {

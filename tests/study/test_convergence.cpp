@@ -29,13 +29,13 @@ test::SimulatedSurvey hard_survey(const CableNet& net, const LengthPrior& prior,
 
 TEST(MaximumAPosteriori, ConvergesOnHardSurveys) {
     constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.005};
-    const CableNet middle = hypar(9, 9);
+    const CableNet middle = hypar(7, 7);
     for (const CableNet& net :
          {hilo_quarter(), test::stiffened(middle, 10.0), test::stiffened(middle, 50.0)}) {
         int converged = 0;
         int inside = 0;
         int lengths = 0;
-        for (const std::uint64_t seed : {1, 2, 3}) {
+        for (const std::uint64_t seed : {1, 2}) {
             const test::SimulatedSurvey s = hard_survey(net, prior, seed);
             ASSERT_TRUE(s.truth.balanced());
             const Identification found = identify(net, s.survey,
@@ -51,7 +51,7 @@ TEST(MaximumAPosteriori, ConvergesOnHardSurveys) {
                 ++lengths;
             }
         }
-        EXPECT_EQ(converged, 3) << net.name();
+        EXPECT_EQ(converged, 2) << net.name();
         EXPECT_GE(inside, 0.8 * lengths) << net.name();  // without samples: linearised intervals
     }
 }

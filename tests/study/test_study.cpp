@@ -29,8 +29,13 @@ const StudySettings small{
 class SmallStudy : public testing::Test {
 protected:
     const CableNet m_net = hypar(4, 5);
-    const Study m_study = run_study(m_net, small);
+    const Study& m_study = the_study();
 
+    /// Run once for all tests.
+    static const Study& the_study() {
+        static const Study study = run_study(hypar(4, 5), small);
+        return study;
+    }
     [[nodiscard]] Eigen::MatrixXd truth() const {
         return m_study.data.length_deviations(Eigen::all, m_study.validation);
     }
