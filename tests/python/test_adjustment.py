@@ -95,7 +95,7 @@ def job(net, columns, tmp_path_factory):
     document["breaking_load"] = [60e3] * len(net.edges)
     (folder / "net.json").write_text(json.dumps(document))
     grouped = taut.CableNet.load(folder / "net.json")
-    wet = np.zeros((net.node_count, 3))
+    wet = np.zeros_like(net.nodes)
     wet[net.free_nodes, 2] = -50.0
     for name, columns_of in (("wet.csv", wet), ("form.csv", net.nodes)):
         lines = [
@@ -123,7 +123,7 @@ def job(net, columns, tmp_path_factory):
     survey = taut.read_survey(grouped, columns)
     found = taut.identify(grouped, survey, prior="uniform:3mm", draws=60)
     found.save(folder / "result.json")
-    weights = np.ones(net.node_count), np.full(net.node_count, 0.1)
+    weights = np.ones(len(net.nodes)), np.full(len(net.nodes), 0.1)
     weights[0][net.free_nodes[:5]] = 3.0
     weights[1][net.free_nodes[:5]] = 0.5
     return {
