@@ -51,34 +51,18 @@ auto parse_list(const std::string& text, const std::string& option, const std::s
     return values;
 }
 
-template <class T>
-T parse_whole(std::string_view text, std::string_view unit) {
-    T value{};
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || std::string_view(rest, end - rest) != unit) {
-        throw std::invalid_argument("not a number");
-    }
-    return value;
-}
-
 std::vector<double> parse_noises(const std::string& list) {
-    return parse_list(list, "--noise", "standard deviations as in 0,0.1mm,0.5mm",
-                      [](const std::string& text) {
-                          const double noise = text == "0" ? 0.0 : parse_length(text);
-                          if (!(noise >= 0.0)) {
-                              throw std::invalid_argument("negative");
-                          }
-                          return noise;
-                      });
+    return parse_list(list, "--noise", "standard deviations as in 0,0.1mm,0.5mm", parse_length);
 }
 
 std::vector<int> parse_training(const std::string& list) {
     return parse_list(list, "--training", "whole numbers of at least 2 as in 100,950",
                       [](const std::string& text) {
-                          const int count = parse_whole<int>(text, "");
-                          if (count < 2) {
-                              throw std::invalid_argument("too few");
+                          int count = 0;
+                          const char* const end = text.data() + text.size();
+                          const auto [rest, error] = std::from_chars(text.data(), end, count);
+                          if (error != std::errc() || rest != end) {
+                              throw std::invalid_argument("not a number");
                           }
                           return count;
                       });
@@ -86,13 +70,7 @@ std::vector<int> parse_training(const std::string& list) {
 
 std::vector<double> parse_hidden(const std::string& list) {
     return parse_list(list, "--hidden", "parts from 0% to below 100% as in 0,10%",
-                      [](const std::string& text) {
-                          const double percent = text == "0" ? 0.0 : parse_whole<double>(text, "%");
-                          if (!(percent >= 0.0 && percent < 100.0)) {
-                              throw std::invalid_argument("out of range");
-                          }
-                          return percent / 100.0;
-                      });
+                      [](const std::string& text) { return text == "0" ? 0.0 : parse_part(text); });
 }
 
 void run(const CompareOptions& given) {

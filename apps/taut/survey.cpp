@@ -12,6 +12,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
+#include "taut/net/units.hpp"
 #include "taut/survey/noise_check.hpp"
 #include "taut/survey/simulation.hpp"
 #include "taut/survey/target_offsets.hpp"
@@ -83,19 +84,6 @@ void simulate_observations(const SurveySimulationOptions& options, const CableNe
         1e3 * distance.std, 1e6 * distance.part, options.output);
 }
 
-/// "10%" as 0.1.
-double parse_dropped_part(const std::string& text) {
-    double percent = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = fast_float::from_chars(text.data(), end, percent);
-    if (error != std::errc() || std::string_view(rest, end - rest) != "%" ||
-        !(percent >= 0.0 && percent < 100.0)) {
-        throw std::invalid_argument(
-            fmt::format("--drop is '{}', expected a part from 0% to below 100%", text));
-    }
-    return percent / 100.0;
-}
-
 void run(const SurveySimulationOptions& given) {
     SurveySimulationOptions options = given;
     SurveySimulation& simulation = options.simulation;
@@ -165,7 +153,7 @@ void add_survey(CLI::App& program) {
         "--offset", options->offset,
         "Offset of targets on free nodes along the net's normal (up), and its standard deviation: "
         "\"3mm:0.2mm\" (default: 0)");
-    add_parsed(command, "--drop", options->simulation.dropped_part, parse_dropped_part,
+    add_parsed(command, "--drop", options->simulation.dropped_part, parse_part,
                "Part of the free nodes that is not surveyed", "0%");
     command.add_flag("--shuffle", options->simulation.shuffled,
                      "Targets on free nodes without names, in any order");
