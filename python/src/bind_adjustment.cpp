@@ -191,7 +191,7 @@ FormObjective objective_named(const std::string& name) {
 void warn(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
         nb::module_::import_("warnings")
-            .attr("warn")("target: " + warning, nb::arg("stacklevel") = 3);
+            .attr("warn")("target: " + warning, nb::arg("stacklevel") = 2);
     }
 }
 
