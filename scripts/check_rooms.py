@@ -67,6 +67,7 @@ MAY_INCLUDE = {
         "survey",
         "sampling",
         "identification",
+        "adjustment",
         "files",
         "interchange",
     ],

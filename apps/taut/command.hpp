@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "taut/files/input_error.hpp"
+
 /// One file a subcommand: each adds itself to the program, with its options and what it runs.
 namespace taut::app {
 
@@ -50,6 +52,42 @@ template <class Options>
 void set_action(CLI::App& command, const std::shared_ptr<Options>& options,
                 void (*run)(const Options&)) {
     command.callback([options, run] { run_within(*options, [&] { run(*options); }); });
+}
+
+/// An option whose text is read when it is given, by parse_length() for example.
+/// @param value lives as long as the command
+/// @param shown its default, for the help; empty: none
+template <class Value, class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Value& value, Parse parse,
+                        const std::string& description, const std::string& shown = "") {
+    CLI::Option* const option = command.add_option_function<std::string>(
+        name, [&value, parse](const std::string& text) { value = parse(text); }, description);
+    return shown.empty() ? option : option->default_str(shown);
+}
+
+/// The same of an option that may be repeated.
+template <class Value, class Parse>
+CLI::Option* add_each_parsed(CLI::App& command, const std::string& name, std::vector<Value>& values,
+                             Parse parse, const std::string& description) {
+    return command.add_option_function<std::vector<std::string>>(
+        name,
+        [&values, parse](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+                values.push_back(parse(text));
+            }
+        },
+        description);
+}
+
+/// Does something with what a file holds. What the library refuses becomes an InputError that names
+/// the file.
+template <class Action>
+auto naming_file(const std::string& file, const Action& action) {
+    try {
+        return action();
+    } catch (const std::invalid_argument& error) {
+        throw InputError(file, "", error.what());
+    }
 }
 
 /// -o, --output of a command that always writes a file.

@@ -15,13 +15,10 @@
 #include "output_directory.hpp"
 #include "progress_line.hpp"
 #include "run_record.hpp"
-#include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/units.hpp"
 #include "taut/process_group.hpp"
-#include "taut/report/report_html.hpp"
 #include "taut/results/comparison_files.hpp"
-#include "taut/results/result_file.hpp"
 #include "taut/study/comparison.hpp"
 #include "terminal.hpp"
 
@@ -31,10 +28,6 @@ namespace {
 struct CompareOptions : CommonOptions {
     std::string net;
     std::string directory;
-    std::string noises = "0,0.1mm,0.2mm,0.5mm,1mm,2mm";
-    std::string training = "100,200,500,950,2000";
-    std::string hidden = "0,10%";
-    std::string prior = "uniform:5mm";
     UncertainOptions uncertain;
     ComparisonSettings comparison;
 };
@@ -58,53 +51,31 @@ auto parse_list(const std::string& text, const std::string& option, const std::s
     return values;
 }
 
-template <class T>
-T parse_whole(std::string_view text, std::string_view unit) {
-    T value{};
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || std::string_view(rest, end - rest) != unit) {
-        throw std::invalid_argument("not a number");
-    }
-    return value;
+std::vector<double> parse_noises(const std::string& list) {
+    return parse_list(list, "--noise", "standard deviations as in 0,0.1mm,0.5mm", parse_length);
 }
 
-void parse(CompareOptions& options) {
-    ComparisonSettings& comparison = options.comparison;
-    comparison.prior = parse_length_prior(options.prior);
-    comparison.noises =
-        parse_list(options.noises, "--noise", "standard deviations as in 0,0.1mm,0.5mm",
-                   [](const std::string& text) {
-                       const double noise = text == "0" ? 0.0 : parse_length(text);
-                       if (!(noise >= 0.0)) {
-                           throw std::invalid_argument("negative");
-                       }
-                       return noise;
-                   });
-    comparison.training_samples =
-        parse_list(options.training, "--training", "whole numbers of at least 2 as in 100,950",
-                   [](const std::string& text) {
-                       const int count = parse_whole<int>(text, "");
-                       if (count < 2) {
-                           throw std::invalid_argument("too few");
-                       }
-                       return count;
-                   });
-    comparison.hidden_parts =
-        parse_list(options.hidden, "--hidden", "parts from 0% to below 100% as in 0,10%",
-                   [](const std::string& text) {
-                       const double percent = text == "0" ? 0.0 : parse_whole<double>(text, "%");
-                       if (!(percent >= 0.0 && percent < 100.0)) {
-                           throw std::invalid_argument("out of range");
-                       }
-                       return percent / 100.0;
-                   });
-    comparison.check();
+std::vector<int> parse_training(const std::string& list) {
+    return parse_list(list, "--training", "whole numbers of at least 2 as in 100,950",
+                      [](const std::string& text) {
+                          int count = 0;
+                          const char* const end = text.data() + text.size();
+                          const auto [rest, error] = std::from_chars(text.data(), end, count);
+                          if (error != std::errc() || rest != end) {
+                              throw std::invalid_argument("not a number");
+                          }
+                          return count;
+                      });
+}
+
+std::vector<double> parse_hidden(const std::string& list) {
+    return parse_list(list, "--hidden", "parts from 0% to below 100% as in 0,10%",
+                      [](const std::string& text) { return text == "0" ? 0.0 : parse_part(text); });
 }
 
 void run(const CompareOptions& given) {
     CompareOptions options = given;
-    parse(options);
+    options.comparison.check();
     const CableNet net = read_net(options.net).net;
     options.comparison.uncertain = options.uncertain.given(net, options.net);
     const int most = std::ranges::max(options.comparison.training_samples);
@@ -123,12 +94,8 @@ void run(const CompareOptions& given) {
         return;
     }
     const std::string json = comparison_to_json(comparison, run_record());
-    std::vector<std::pair<std::string, std::string>> files{
-        {"comparison.json", json}, {"comparison.csv", comparison_to_csv(comparison)}};
-    if (has_report_viewer()) {
-        files.emplace_back("report.html", report_html(parse_result(json, "comparison.json")));
-    }
-    write_files(directory, files);
+    write_with_report(directory, "comparison.json", json,
+                      {{"comparison.csv", comparison_to_csv(comparison)}});
 
     if (options.json) {
         say("{}", json);
@@ -157,30 +124,28 @@ void add_compare(CLI::App& program) {
         *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
+    ComparisonSettings& comparison = options->comparison;
+    comparison.hidden_parts = {0.0, 0.1};
+    add_parsed(command, "--noise", comparison.noises, parse_noises,
+               "Standard deviations of normal noise on every coordinate",
+               "0,0.1mm,0.2mm,0.5mm,1mm,2mm");
+    add_parsed(command, "--training", comparison.training_samples, parse_training,
+               "Numbers of training samples; 3000 take a minute and 2 GB", "100,200,500,950,2000");
+    add_parsed(command, "--hidden", comparison.hidden_parts, parse_hidden,
+               "Parts of the free nodes that are not surveyed", "0,10%");
     command
-        .add_option("--noise", options->noises,
-                    "Standard deviations of normal noise on every coordinate")
-        ->capture_default_str();
-    command
-        .add_option("--training", options->training,
-                    "Numbers of training samples; 3000 take a minute and 2 GB")
-        ->capture_default_str();
-    command
-        .add_option("--hidden", options->hidden, "Parts of the free nodes that are not surveyed")
-        ->capture_default_str();
-    command
-        .add_option("--surveys", options->comparison.surveys,
+        .add_option("--surveys", comparison.surveys,
                     "Number of surveys of each kind, of samples not used in training")
         ->capture_default_str();
-    command.add_option("--prior", options->prior, "Prior of the length deviations")
-        ->capture_default_str();
+    add_parsed(command, "--prior", comparison.prior, parse_length_prior,
+               "Prior of the length deviations", "uniform:5mm");
     add_uncertain_option(command, options->uncertain);
     command
-        .add_option("--epochs", options->comparison.epochs,
+        .add_option("--epochs", comparison.epochs,
                     "Largest number of surveys of each net that are used together: of the same "
                     "form, and with every turnbuckle turned by up to 5 mm in between")
         ->capture_default_str();
-    add_seed_option(command, options->comparison.seed);
+    add_seed_option(command, comparison.seed);
     set_action(command, options, run);
 }
 

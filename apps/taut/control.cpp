@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "command.hpp"
@@ -11,13 +10,11 @@
 #include "plan_options.hpp"
 #include "progress_line.hpp"
 #include "run_record.hpp"
-#include "taut/files/file.hpp"
+#include "taut/adjustment/plan_turns.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/units.hpp"
 #include "taut/process_group.hpp"
-#include "taut/report/report_html.hpp"
 #include "taut/results/control_files.hpp"
-#include "taut/results/result_file.hpp"
 #include "taut/study/control.hpp"
 #include "terminal.hpp"
 
@@ -27,45 +24,26 @@ namespace {
 struct ControlCommand : CommonOptions {
     std::string net;
     std::string directory;
-    std::string prior = "uniform:5mm";
+    ControlSettings settings{.prior = {}, .turn = {}};
     UncertainOptions uncertain;
-    std::string noise = "0.5mm";
-    std::string drop = "10%";
-    std::string actuator = "0mm";
-    std::string stroke = "15mm";
     std::string tension;
-    std::string confidence = "95%";
-    std::string turn;
-    std::string step;
-    int draws = 200;
-    int rounds = 4;
-    int trials = 20;
-    std::uint64_t seed = 1;
 };
 
 ControlSettings settings_of(const CableNet& net, const ControlCommand& command) {
-    ControlSettings settings{.prior = parse_length_prior(command.prior),
-                             .noise_std = parse_length(command.noise),
-                             .hidden_part = parse_part(command.drop),
-                             .actuator_std = parse_length(command.actuator),
-                             .stroke = parse_length(command.stroke),
-                             .confidence = parse_part(command.confidence),
-                             .turn = parse_turn(command.turn, command.step),
-                             .draws = command.draws,
-                             .rounds = command.rounds,
-                             .trials = command.trials,
-                             .seed = command.seed};
+    ControlSettings settings = command.settings;
     settings.uncertain = command.uncertain.assumed(net, command.net);
     if (!command.tension.empty()) {
         const TensionRange range = parse_tension_range(command.tension);
-        if (range.has_part()) {
+        check_tension_range(range);
+        if (range.group || (range.least && range.least->is_part) ||
+            (range.most && range.most->is_part)) {
             throw std::invalid_argument(
-                fmt::format("--tension is '{}', expected forces: parts of breaking loads are for "
-                            "taut plan only",
+                fmt::format("--tension is '{}', expected forces: groups and parts of breaking "
+                            "loads are for taut plan only",
                             command.tension));
         }
-        settings.least_tension = range.least.value;
-        settings.most_tension = std::isinf(range.most.value) ? 0.0 : range.most.value;
+        settings.least_tension = range.least.value_or(TensionBound{}).value;
+        settings.most_tension = range.most.value_or(TensionBound{}).value;  // 0: no limit
     }
     return settings;
 }
@@ -99,12 +77,7 @@ void run(const ControlCommand& command) {
         return;
     }
     const std::string json = control_to_json(records, net, settings, run_record());
-    std::vector<std::pair<std::string, std::string>> files{
-        {"control.json", json}, {"control.csv", control_to_csv(records)}};
-    if (has_report_viewer()) {
-        files.emplace_back("report.html", report_html(parse_result(json, "control.json")));
-    }
-    write_files(directory, files);
+    write_with_report(directory, "control.json", json, {{"control.csv", control_to_csv(records)}});
     if (command.json) {
         say("{}", json);
         return;
@@ -134,39 +107,31 @@ void add_control(CLI::App& program) {
         "  taut control net.json -o control --tension 1.5kN..10kN --trials 20", *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
-    command.add_option("--prior", options->prior, "Prior of the length deviations")
-        ->capture_default_str();
+    ControlSettings& settings = options->settings;
+    add_parsed(command, "--prior", settings.prior, parse_length_prior,
+               "Prior of the length deviations", "uniform:5mm");
     add_uncertain_option(command, options->uncertain, assumes_site);
-    command.add_option("--noise", options->noise, "Standard deviation of a surveyed coordinate")
-        ->capture_default_str();
-    command.add_option("--drop", options->drop, "Part of the free nodes that is not surveyed")
-        ->capture_default_str();
-    command
-        .add_option("--actuator", options->actuator,
-                    "Standard deviation of a stroke as made from the stroke as planned")
-        ->capture_default_str();
-    command
-        .add_option("--stroke", options->stroke,
-                    "Largest change of length of a turnbuckle since installation, either way")
-        ->capture_default_str();
+    add_parsed(command, "--noise", settings.noise_std, parse_length,
+               "Standard deviation of a surveyed coordinate", "0.5mm");
+    add_parsed(command, "--drop", settings.hidden_part, parse_part,
+               "Part of the free nodes that is not surveyed", "10%");
+    add_parsed(command, "--actuator", settings.actuator_std, parse_length, actuator_help, "0mm");
+    add_parsed(command, "--stroke", settings.stroke, parse_length,
+               "Largest change of length of a turnbuckle since installation, either way", "15mm");
     command.add_option("--tension", options->tension,
                        "Limits of tension, 1.5kN..10kN (default: no edge slack)");
+    add_parsed(command, "--confidence", settings.confidence, parse_part,
+               "Probability with which limits hold, of plans on identified lengths", "95%");
+    add_turn_options(command, settings.turn, "Smallest part of a turn, such as 1/4");
     command
-        .add_option("--confidence", options->confidence,
-                    "Probability with which limits hold, of plans on identified lengths")
-        ->capture_default_str();
-    command.add_option("--turn", options->turn, "Change of length by one turn, such as 5mm");
-    command.add_option("--step", options->step, "Smallest part of a turn, such as 1/4")
-        ->needs("--turn");
-    command
-        .add_option("--draws", options->draws, "Number of posterior samples of each identification")
+        .add_option("--draws", settings.draws, "Number of posterior samples of each identification")
         ->capture_default_str();
     command
-        .add_option("--rounds", options->rounds, "Number of surveys, each followed by its turns")
+        .add_option("--rounds", settings.rounds, "Number of surveys, each followed by its turns")
         ->capture_default_str();
-    command.add_option("--trials", options->trials, "Number of simulated nets")
+    command.add_option("--trials", settings.trials, "Number of simulated nets")
         ->capture_default_str();
-    add_seed_option(command, options->seed);
+    add_seed_option(command, settings.seed);
     set_action(command, options, run);
 }
 

@@ -48,11 +48,7 @@ CableNet changed(const CableNet& net, const Eigen::VectorXd& lengths, const Poin
     CableNetData data = net.data();
     data.unstressed_lengths = lengths;
     data.nodes = form;
-    try {
-        return CableNet(std::move(data));
-    } catch (const NetError& error) {
-        throw InputError(file, "", error.what());
-    }
+    return naming_file(file, [&] { return CableNet(std::move(data)); });
 }
 
 Points equilibrium_form(const CableNet& net, const std::string& path) {

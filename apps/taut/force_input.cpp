@@ -12,6 +12,7 @@
 #include "taut/files/input_error.hpp"
 #include "taut/io/forces_csv.hpp"
 #include "taut/net/units.hpp"
+#include "taut/sampling/data_set.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut::app {
@@ -88,19 +89,16 @@ Forces read_forces(const CableNet& net, const ForceOptions& options) {
         }
     }
     if (!options.slack.empty()) {
-        forces.slack = parse_edge_list(net, read_file(options.slack), options.slack);
+        forces.slack = read_edge_list(net, options.slack);
     }
     if (options.taut == "all") {
         forces.taut.resize(net.edge_count());
         std::iota(forces.taut.begin(), forces.taut.end(), 0);
     } else if (!options.taut.empty()) {
-        forces.taut = parse_edge_list(net, read_file(options.taut), options.taut);
+        forces.taut = read_edge_list(net, options.taut);
     }
-    try {
-        check_forces(net, forces);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(options.slack.empty() ? options.forces : options.slack, "", error.what());
-    }
+    naming_file(options.slack.empty() ? options.forces : options.slack,
+                [&] { check_forces(net, forces); });
     return forces;
 }
 
@@ -128,6 +126,16 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
     return forces;
 }
 
+std::vector<int> read_edge_list(const CableNet& net, const std::string& file) {
+    return parse_edge_list(net, read_file(file), file);
+}
+
+LengthPrior prior_for(const CableNet& net, const std::string& text, const std::string& net_file) {
+    const LengthPrior prior = parse_length_prior(text);
+    naming_file(net_file, [&] { check_prior(net, prior); });
+    return prior;
+}
+
 const char* const assumes_site =
     ". Those not given are assumed with these widths, except loads; none: what is "
     "not given is exact";
@@ -151,11 +159,7 @@ std::vector<UncertainParameter> UncertainOptions::given(const CableNet& net,
             given.push_back(parse_uncertain_parameter(text));
         }
     }
-    try {
-        check_uncertain_parameters(net, given);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(net_file, "", error.what());
-    }
+    naming_file(net_file, [&] { check_uncertain_parameters(net, given); });
     return given;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
+#include "taut/sampling/length_prior.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
 
@@ -35,13 +36,22 @@ void add_force_options(CLI::App& command, ForceOptions& options);
 /// Reads the force measurements and the edges seen taut or slack; warns where the unit is most
 /// likely another.
 /// @throws InputError as parse_force_measurements(), parse_edge_list(), and for an edge that is
-/// given
-///   as both taut and slack, or as slack and measured
+///   given as both taut and slack, or as slack and measured
 Forces read_forces(const CableNet& net, const ForceOptions& options);
 
 /// The force measurements of a survey that is planned: as read_forces(), or of a file that only
 /// names edges, whose designed tensions are then taken as measured.
 Forces read_planned_forces(const CableNet& net, const ForceOptions& options);
+
+/// The edges that a file names, one a line.
+/// @throws InputError as parse_edge_list()
+[[nodiscard]] std::vector<int> read_edge_list(const CableNet& net, const std::string& file);
+
+/// --prior of a net.
+/// @throws std::invalid_argument as parse_length_prior()
+/// @throws InputError where it is too wide for this net
+[[nodiscard]] LengthPrior prior_for(const CableNet& net, const std::string& text,
+                                    const std::string& net_file);
 
 /// --uncertain, as given.
 struct UncertainOptions {

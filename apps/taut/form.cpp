@@ -45,11 +45,7 @@ CableNet net_of(const FormOptions& options, const CableNet& nominal) {
         return nominal;
     }
     const LengthPrior prior = parse_length_prior(options.prior);
-    try {
-        return built_net(nominal, prior, options.seed);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(options.net, "", error.what());
-    }
+    return naming_file(options.net, [&] { return built_net(nominal, prior, options.seed); });
 }
 
 /// Result of either solver.

@@ -31,44 +31,41 @@
 #include "taut/io/turned_csv.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
-#include "taut/sampling/data_set.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
 namespace {
 
+/// --epoch, as given.
+struct EpochFiles {
+    std::string survey;
+    std::string turned;  ///< empty: nothing was turned
+};
+
 struct Options : CommonOptions, SurveyOptions, ForceOptions {
+    IdentifyOptions settings;  ///< but for what files hold
     std::string net;
-    std::string method;  ///< empty: chosen by what is there
     std::string model;
     std::string prior;  ///< empty: the model's, or a broad one
-    bool prior_exact = false;
     std::string output;
     std::string covariance_of;
     UncertainOptions uncertain;
-    std::vector<std::string> epochs;    ///< SURVEY[:TURNED], of later surveys
+    std::vector<EpochFiles> epochs;     ///< of later surveys
     std::optional<std::int64_t> draws;  ///< empty: default_draws()
-    std::uint64_t seed = 1;
 
     /// The file of the posterior samples, beside the result.
     [[nodiscard]] std::string draws_file() const {
         return output.empty() ? "" : draws_path(output).string();
     }
+    [[nodiscard]] std::vector<std::string> inputs() const {
+        std::vector<std::string> all = ForceOptions::files();
+        all.insert(all.end(), {net, survey, model, control, offsets, covariance_of});
+        for (const EpochFiles& files : epochs) {
+            all.insert(all.end(), {files.survey, files.turned});
+        }
+        return all;
+    }
 };
-
-/// The prior that was asked for, by the rules of the sampler.
-std::optional<LengthPrior> prior_of(const CableNet& net, const Options& options) {
-    if (options.prior.empty()) {
-        return std::nullopt;
-    }
-    const LengthPrior prior = parse_length_prior(options.prior);
-    try {
-        check_prior(net, prior);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(options.net, "", error.what());
-    }
-    return prior;
-}
 
 /// The edges of --covariance-of.
 std::vector<int> covariance_edges(const CableNet& net, const Options& options) {
@@ -80,7 +77,7 @@ std::vector<int> covariance_edges(const CableNet& net, const Options& options) {
         throw std::invalid_argument(
             "--covariance-of is for the result only, which needs -o or --json");
     }
-    std::vector<int> edges = parse_edge_list(net, read_file(file), file);
+    std::vector<int> edges = read_edge_list(net, file);
     for (const int edge : edges) {
         if (!std::ranges::binary_search(net.interior_edges(), edge)) {
             throw InputError(file, "",
@@ -99,11 +96,7 @@ std::optional<LengthModel> model_of(const CableNet& net, const Options& options,
     }
     auto [model, of_net, has_digest] = read_model(options.model);
     note_digest(options.model, has_digest);
-    try {
-        check_model(net, model, prior);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(options.model, "", error.what());
-    }
+    naming_file(options.model, [&] { check_model(net, model, prior); });
     return model;
 }
 
@@ -457,13 +450,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     }
 }
 
-/// --epoch, as given.
-struct EpochFiles {
-    std::string survey;
-    std::string turned;  ///< empty: nothing was turned
-};
-
-EpochFiles epoch_files(const std::string& text) {
+EpochFiles parse_epoch_files(const std::string& text) {
     if (std::filesystem::exists(text)) {
         return {.survey = text, .turned = {}};
     }
@@ -497,8 +484,8 @@ void refuse_unless_converged(const Options& options, const Identification& resul
             break;
     }
     std::vector<std::string> surveys{options.survey};
-    for (const std::string& text : options.epochs) {
-        surveys.push_back(epoch_files(text).survey);
+    for (const EpochFiles& files : options.epochs) {
+        surveys.push_back(files.survey);
     }
     throw NumericalFailure(
         fmt::format("{}: method {}: {}", fmt::join(surveys, ", "), result.method, result.message));
@@ -508,8 +495,7 @@ void refuse_unless_converged(const Options& options, const Identification& resul
 std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const Options& options) {
     std::vector<Epoch> epochs{{.survey = first, .turned = {}}};
     std::vector<std::vector<EdgeTurned>> steps;
-    for (const std::string& text : options.epochs) {
-        const EpochFiles files = epoch_files(text);
+    for (const EpochFiles& files : options.epochs) {
         Epoch epoch;
         if (!files.turned.empty()) {
             epoch.turned = parse_turned(net, read_file(files.turned), files.turned);
@@ -533,42 +519,30 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
         return identify_epochs(net, epochs, settings, progress);
     } catch (const EpochError& error) {
         const size_t k = error.epoch();
-        throw InputError(k == 0 ? options.survey : epoch_files(options.epochs[k - 1]).survey, "",
-                         error.what());
+        throw InputError(k == 0 ? options.survey : options.epochs[k - 1].survey, "", error.what());
     }
 }
 
 void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
-    const std::optional<LengthPrior> prior = prior_of(net, options);
+    IdentifyOptions settings = options.settings;
+    if (!options.prior.empty()) {
+        settings.prior = prior_for(net, options.prior, options.net);
+    }
     Survey survey = read_survey(net, options.survey, options.read_options());
     print_survey_notes(options, survey, options.json);
-    const std::optional<LengthModel> model = model_of(net, options, prior);
-    const Forces forces = read_forces(net, options);
-    const std::vector<UncertainParameter> uncertain = options.uncertain.given(net, options.net);
+    const std::optional<LengthModel> model = model_of(net, options, settings.prior);
+    settings.model = model ? &*model : nullptr;
+    settings.forces = read_forces(net, options);
+    settings.uncertain = options.uncertain.given(net, options.net);
+    settings.assume_site = options.uncertain.assume_site();
     const std::int64_t draws = options.draws.value_or(default_draws(net));
     check_draws(net, draws);
+    settings.draws = static_cast<int>(draws);
+    settings.estimate_noise = options.noise == estimated_noise;
     std::vector<Epoch> epochs = read_epochs(net, survey, options);
-    std::vector<std::string> inputs = options.files();
-    for (const std::string& text : options.epochs) {
-        const EpochFiles files = epoch_files(text);
-        inputs.insert(inputs.end(), {files.survey, files.turned});
-    }
-    inputs.insert(inputs.end(), {options.net, options.survey, options.model, options.control,
-                                 options.offsets, options.covariance_of});
-    check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
-    IdentifyOptions settings{.prior = prior,
-                             .prior_exact = options.prior_exact,
-                             .forces = forces,
-                             .uncertain = uncertain,
-                             .assume_site = options.uncertain.assume_site(),
-                             .model = model ? &*model : nullptr,
-                             .draws = static_cast<int>(draws),
-                             .estimate_noise = options.noise == estimated_noise,
-                             .seed = options.seed};
-    if (!options.method.empty()) {
-        settings.method = parse_identification_method(options.method);
-    }
+    check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names},
+                  options.inputs());
     settings.covariance_of = covariance_edges(net, options);
     ProgressLine line(options.quiet);
     const Identification result =
@@ -594,8 +568,7 @@ void run(const Options& options) {
         say("{}", document);
     } else {
         Options of_last = options;
-        of_last.survey =
-            options.epochs.empty() ? options.survey : epoch_files(options.epochs.back()).survey;
+        of_last.survey = options.epochs.empty() ? options.survey : options.epochs.back().survey;
         print(of_last, net, survey, result);
     }
 }
@@ -623,15 +596,14 @@ void add_identify(CLI::App& program) {
                        "Prior of the length deviations, that is the fabrication tolerance: "
                        "uniform:5mm, normal:2mm, bimodal:5mm (default: the model's, or a broad one "
                        "around uniform:5mm)");
-    command
-        .add_option("--epoch", options->epochs,
+    add_each_parsed(command, "--epoch", options->epochs, parse_epoch_files,
                     "A later survey of the same net and the list of what was turned before it: "
                     "second.csv:turned.csv, or second.csv where nothing was. All surveys together "
                     "determine the lengths; the result is of the last. May be repeated")
         ->allow_extra_args(false)
         ->group(heading::input);
     command
-        .add_flag("--prior-exact", options->prior_exact,
+        .add_flag("--prior-exact", options->settings.prior_exact,
                   "Take scale and shape of the prior as exact. Without it the scale is uncertain "
                   "by a factor of 1.5 and estimated with the lengths")
         ->group(heading::known);
@@ -649,17 +621,16 @@ void add_identify(CLI::App& program) {
                     "Interior edges whose length covariances the result holds, for map: a file "
                     "that names them, one a line")
         ->group(heading::output);
-    command
-        .add_option("--method", options->method,
-                    "map (maximum a posteriori), balance (force balance) or gp (Gaussian "
-                    "processes); default: by the survey")
+    add_parsed(command, "--method", options->settings.method, parse_identification_method,
+               "map (maximum a posteriori), balance (force balance) or gp (Gaussian "
+               "processes); default: by the survey")
         ->check(CLI::IsMember({"gp", "balance", "map"}))
         ->group(heading::advanced);
     command
         .add_option("--model", options->model,
                     "Model of taut train, for gp (default: trained now, on 1000 samples)")
         ->group(heading::advanced);
-    add_seed_option(command, options->seed);
+    add_seed_option(command, options->settings.seed);
     set_action(command, options, run);
 }
 

@@ -24,12 +24,9 @@ struct ImportOptions : CommonOptions {
     std::string select;
     std::string edges;
     std::string supports;
-    std::string axial_stiffness;
-    std::string young;
     std::string stress_strain;
-    std::string diameter;
-    std::string force_unit;
     std::string loads = "file";
+    ImportSettings settings;  ///< but for what files hold
 };
 
 /// The structure in the file.
@@ -69,38 +66,16 @@ void add_supports(const std::string& supports, ImportedStructure& structure) {
     }
 }
 
-ImportSettings settings_of(const ImportOptions& options) {
-    ImportSettings settings;
-    if (!options.axial_stiffness.empty()) {
-        settings.axial_stiffness = parse_force(options.axial_stiffness);
+/// A diameter, or the name of the attribute that gives it.
+void set_diameter(ImportSettings& settings, const std::string& text) {
+    // A bare number is in mm, by which cables are named.
+    if (text.find_first_not_of("0123456789.") == std::string::npos) {
+        settings.diameter = parse_length(text + "mm");
+    } else if (text[0] >= '0' && text[0] <= '9') {
+        settings.diameter = parse_length(text);
+    } else {
+        settings.diameter_attribute = text;
     }
-    if (!options.young.empty()) {
-        settings.young = parse_stress(options.young);
-    }
-    if (!options.stress_strain.empty()) {
-        settings.stress_strain =
-            parse_stress_strain(read_file(options.stress_strain), options.stress_strain);
-    }
-    if (!options.diameter.empty()) {
-        // A bare number is in mm, by which cables are named.
-        const bool is_number =
-            options.diameter.find_first_not_of("0123456789.") == std::string::npos;
-        const bool is_length =
-            !is_number && options.diameter[0] >= '0' && options.diameter[0] <= '9';
-        if (is_number || is_length) {
-            settings.diameter = parse_length(options.diameter + (is_number ? "mm" : ""));
-        } else {
-            settings.diameter_attribute = options.diameter;
-        }
-    }
-    if (!options.force_unit.empty()) {
-        settings.force_unit = options.force_unit == "kN" ? 1e3 : 1.0;
-    }
-    using Loads = ImportSettings::Loads;
-    settings.loads = options.loads == "balance" ? Loads::balance
-                     : options.loads == "none"  ? Loads::none
-                                                : Loads::file;
-    return settings;
 }
 
 nlohmann::ordered_json to_json(const ImportOptions& options, const ImportedNet& imported) {
@@ -152,7 +127,15 @@ void print(const ImportOptions& options, const ImportedNet& imported) {
 }
 
 void run(const ImportOptions& options) {
-    const ImportSettings settings = settings_of(options);
+    ImportSettings settings = options.settings;
+    if (!options.stress_strain.empty()) {
+        settings.stress_strain =
+            parse_stress_strain(read_file(options.stress_strain), options.stress_strain);
+    }
+    using Loads = ImportSettings::Loads;
+    settings.loads = options.loads == "balance" ? Loads::balance
+                     : options.loads == "none"  ? Loads::none
+                                                : Loads::file;
     const bool is_file = options.supports != "boundary";
     check_outputs({options.output}, {options.file, options.edges, options.stress_strain,
                                      is_file ? options.supports : ""});
@@ -193,18 +176,21 @@ void add_import(CLI::App& program) {
                        "CSV file of the edges, where FILE is that of nodes");
     command.add_option("--supports", options->supports,
                        "Further supports: boundary, or a file of node ids");
-    command.add_option("--axial-stiffness", options->axial_stiffness,
-                       "EA of all edges, such as 200kN (a bare number is in N)");
-    command.add_option("--young", options->young,
-                       "Young's modulus of all edges, such as 205GPa (a bare number is in Pa)");
+    ImportSettings& settings = options->settings;
+    add_parsed(command, "--axial-stiffness", settings.axial_stiffness, parse_force,
+               "EA of all edges, such as 200kN (a bare number is in N)");
+    add_parsed(command, "--young", settings.young, parse_stress,
+               "Young's modulus of all edges, such as 205GPa (a bare number is in Pa)");
     command.add_option("--stress-strain", options->stress_strain,
                        "CSV table strain,stress (stress in Pa) of a piecewise linear tension law, "
                        "with --diameter or the radii of FILE");
-    command.add_option("--diameter", options->diameter,
-                       "Diameter of all edges in mm, or the name of the attribute that gives it");
-    command
-        .add_option("--force-unit", options->force_unit,
-                    "Unit of forces, force densities and loads in FILE")
+    command.add_option_function<std::string>(
+        "--diameter", [&settings](const std::string& text) { set_diameter(settings, text); },
+        "Diameter of all edges in mm, or the name of the attribute that gives it");
+    add_parsed(
+        command, "--force-unit", settings.force_unit,
+        [](const std::string& unit) { return unit == "kN" ? 1e3 : 1.0; },
+        "Unit of forces, force densities and loads in FILE")
         ->check(CLI::IsMember({"N", "kN"}));
     command
         .add_option(

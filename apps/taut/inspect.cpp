@@ -8,10 +8,8 @@
 #include "net_summary.hpp"
 #include "predicted_precision.hpp"
 #include "taut/files/file.hpp"
-#include "taut/files/input_error.hpp"
 #include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/equilibrium_matrix.hpp"
 #include "taut/statics/form_sensitivity.hpp"
@@ -237,14 +235,8 @@ void print(const CableNet& net, const Inspection& it) {
 
 void run(const InspectOptions& options) {
     const CableNet net = read_net(options.net).net;
-    const LengthPrior prior = parse_length_prior(options.prior);
-    if (!options.survey.empty()) {
-        try {
-            check_prior(net, prior);
-        } catch (const std::invalid_argument& error) {
-            throw InputError(options.net, "", error.what());
-        }
-    }
+    const LengthPrior prior =
+        options.survey.empty() ? LengthPrior{} : prior_for(net, options.prior, options.net);
     check_outputs({options.names}, {options.net, options.survey, options.control});
     const Inspection inspection = inspect(net);
     warn(options.net, inspection.warnings);

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "taut/files/file.hpp"
 #include "taut/report/report_html.hpp"
+#include "taut/results/result_file.hpp"
 
 namespace taut::app {
 
@@ -28,6 +29,16 @@ void check_output_directory(const std::filesystem::path& directory,
     for (const std::string& name : names) {
         note_left_files(directory / name);
     }
+}
+
+void write_with_report(const std::filesystem::path& directory, const std::string& name,
+                       const std::string& json,
+                       std::vector<std::pair<std::string, std::string>> further) {
+    further.insert(further.begin(), {name, json});
+    if (has_report_viewer()) {
+        further.emplace_back("report.html", report_html(parse_result(json, name)));
+    }
+    write_files(directory, further);
 }
 
 std::string report_text(const std::filesystem::path& directory) {

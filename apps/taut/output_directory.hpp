@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taut::app {
@@ -16,6 +17,12 @@ namespace taut::app {
 void check_output_directory(const std::filesystem::path& directory,
                             const std::vector<std::string>& names,
                             const std::vector<std::string>& inputs);
+
+/// Writes a result, further files, and the report where this taut can make one.
+/// @param name of the result's file; it comes first
+void write_with_report(const std::filesystem::path& directory, const std::string& name,
+                       const std::string& json,
+                       std::vector<std::pair<std::string, std::string>> further);
 
 /// Where the report of a directory is, or why there is none.
 [[nodiscard]] std::string report_text(const std::filesystem::path& directory);

@@ -6,82 +6,112 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 
+#include "command.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut::app {
 namespace {
 
-/// "1/4" or "0.25": a part of a turn.
+std::optional<double> number_in(std::string_view text) {
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = fast_float::from_chars(text.data(), end, value);
+    return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+}
+
+/// "1/4" or "0.25".
 double parse_part_of_turn(const std::string& text) {
-    const auto number = [&](std::string_view part) {
-        double value = 0.0;
-        const auto [end, error] =
-            fast_float::from_chars(part.data(), part.data() + part.size(), value);
-        if (error != std::errc() || end != part.data() + part.size() || !(value > 0.0)) {
-            throw std::invalid_argument(
-                fmt::format("--step is '{}', expected a part of a turn, such as 1/4", text));
-        }
-        return value;
-    };
     const size_t bar = text.find('/');
-    const double part = bar == std::string::npos
-                            ? number(text)
-                            : number(std::string_view(text).substr(0, bar)) /
-                                  number(std::string_view(text).substr(bar + 1));
-    if (!(part > 0.0 && part <= 1.0)) {
+    const std::optional<double> above = number_in(std::string_view(text).substr(0, bar));
+    const std::optional<double> below =
+        bar == std::string::npos ? 1.0 : number_in(std::string_view(text).substr(bar + 1));
+    if (!above || !below || !(*above > 0.0) || !(*below > 0.0)) {
         throw std::invalid_argument(
-            fmt::format("--step is '{}', expected no more than a whole turn", text));
+            fmt::format("--step is '{}', expected a part of a turn, such as 1/4", text));
     }
-    return part;
+    return *above / *below;
+}
+
+/// Cuts "@GROUP" off.
+std::optional<std::string> take_group(std::string& text) {
+    const size_t at = text.find('@');
+    if (at == std::string::npos) {
+        return std::nullopt;
+    }
+    std::string group = text.substr(at + 1);
+    text.resize(at);
+    return group;
+}
+
+std::optional<TensionBound> parse_tension_bound(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const bool is_part = text.find('%') != std::string::npos;
+    return TensionBound{.value = is_part ? parse_part(text) : parse_force(text),
+                        .is_part = is_part};
 }
 
 }  // namespace
 
-std::optional<TurnSize> parse_turn(const std::string& turn, const std::string& step) {
-    if (turn.empty()) {
-        return std::nullopt;
-    }
-    return TurnSize{.pitch = parse_length(turn),
-                    .smallest = step.empty() ? 0.0 : parse_part_of_turn(step)};
-}
-
 TensionRange parse_tension_range(const std::string& text) {
-    const size_t dots = text.find("..");
+    std::string range = text;
+    std::optional<std::string> group = take_group(range);
+    const size_t dots = range.find("..");
     if (dots == std::string::npos) {
         throw std::invalid_argument(fmt::format(
             "--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%", text));
     }
-    const auto end_of = [](const std::string& end, double none) -> TensionRange::End {
-        if (end.empty()) {
-            return {.value = none, .is_part = false, .is_given = false};
-        }
-        const bool is_part = end.find('%') != std::string::npos;
-        return {.value = is_part ? parse_part(end) : parse_force(end),
-                .is_part = is_part,
-                .is_given = true};
-    };
-    const TensionRange range{
-        .least = end_of(text.substr(0, dots), 0.0),
-        .most = end_of(text.substr(dots + 2), std::numeric_limits<double>::infinity())};
-    const bool is_comparable =
-        range.least.is_part == range.most.is_part || std::isinf(range.most.value);
-    if (!(range.least.value >= 0.0) || !(range.most.value > 0.0) ||
-        (is_comparable && !(range.most.value > range.least.value))) {
-        throw std::invalid_argument(fmt::format(
-            "--tension is '{}', expected a lower limit of 0 or more and an upper one above it",
-            text));
-    }
-    for (const TensionRange::End& end : {range.least, range.most}) {
-        if (end.is_part && end.value > 1.0) {
+    return {.least = parse_tension_bound(range.substr(0, dots)),
+            .most = parse_tension_bound(range.substr(dots + 2)),
+            .group = std::move(group)};
+}
+
+ReactionBound parse_reaction_bound(const std::string& text) {
+    std::string force = text;
+    std::optional<std::string> group = take_group(force);
+    return {.upper = parse_force(force), .group = std::move(group)};
+}
+
+DeviationWeights parse_weights(const std::string& text) {
+    DeviationWeights weights;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::string_view one = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(rest.size(), one.size() + 1));
+        const size_t colon = std::min(one.find(':'), one.size());
+        const std::string_view name = one.substr(0, colon);
+        const std::optional<double> value = number_in(one.substr(std::min(colon + 1, one.size())));
+        if ((name != "normal" && name != "tangential") || !value) {
             throw std::invalid_argument(fmt::format(
-                "--tension is '{}', expected no more than 100 % of the breaking load", text));
+                "--weights is '{}', expected weights of 0 or more such as normal:1,tangential:0.1",
+                text));
         }
+        (name == "normal" ? weights.normal : weights.tangential) = *value;
     }
-    return range;
+    return weights;
+}
+
+void add_turn_options(CLI::App& command, std::optional<TurnSize>& turn,
+                      const std::string& step_help) {
+    add_parsed(
+        command, "--turn", turn,
+        [](const std::string& text) { return TurnSize{.pitch = parse_length(text)}; },
+        "Change of length by one turn, such as 5mm");
+    // Read after --turn, which was added before it.
+    command
+        .add_option_function<std::string>(
+            "--step",
+            [&turn](const std::string& text) {
+                if (turn) {
+                    turn->smallest = parse_part_of_turn(text);
+                }
+            },
+            step_help)
+        ->needs("--turn");
 }
 
 }  // namespace taut::app

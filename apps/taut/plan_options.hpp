@@ -2,37 +2,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "taut/adjustment/form_target.hpp"
+#include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
 
+/// Options of the commands that plan turns. What their values must keep to, the library checks.
 namespace taut::app {
 
-/// --turn 5mm --step 1/4; nothing where no turn is given.
+inline constexpr const char* actuator_help =
+    "Standard deviation of a stroke as made from the stroke as planned";
+
+/// "1.5kN..10kN[@GROUP]", "20%..60%[@GROUP]"; either end may be left out.
 /// @throws std::invalid_argument
-std::optional<TurnSize> parse_turn(const std::string& turn, const std::string& step);
+[[nodiscard]] TensionRange parse_tension_range(const std::string& text);
 
-/// Limits of tension, as given.
-struct TensionRange {
-    /// A force [N], or a part of the breaking load.
-    struct End {
-        double value = 0.0;
-        bool is_part = false;
-        bool is_given = false;
-        /// @param breaking_load of the edge, used for a part only [N]
-        [[nodiscard]] double at(double breaking_load) const {
-            return is_part ? value * breaking_load : value;
-        }
-    };
-    End least;
-    End most;  ///< infinite where it is not given
-    [[nodiscard]] bool has_part() const { return least.is_part || most.is_part; }
-};
+/// "20kN[@GROUP]".
+/// @throws std::invalid_argument
+[[nodiscard]] ReactionBound parse_reaction_bound(const std::string& text);
 
-/// "1.5kN..10kN", "20%..60%", "1kN..60%", of which either end may be left out.
-/// @throws std::invalid_argument for anything else, a least below 0 or not below the most, and
-///   parts above 100 %
-TensionRange parse_tension_range(const std::string& text);
+/// "normal:1,tangential:0.1"; what is not named has its default.
+/// @throws std::invalid_argument
+[[nodiscard]] DeviationWeights parse_weights(const std::string& text);
+
+/// --turn 5mm, and --step 1/4 or 0.25, a part of a turn.
+/// @param step_help of --step
+void add_turn_options(CLI::App& command, std::optional<TurnSize>& turn,
+                      const std::string& step_help);
 
 }  // namespace taut::app

@@ -18,8 +18,6 @@
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/report/report_html.hpp"
-#include "taut/results/result_file.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/results/study_csv.hpp"
 #include "taut/study/study.hpp"
@@ -31,7 +29,6 @@ namespace {
 struct ReproduceOptions : CommonOptions {
     std::string directory;
     std::string net;
-    std::string prior = "uniform:5mm";
     StudySettings study;
     bool keep = false;
 };
@@ -58,9 +55,7 @@ void check_directory(const ReproduceOptions& options) {
     }
 }
 
-void run(const ReproduceOptions& given) {
-    ReproduceOptions options = given;
-    options.study.prior = parse_length_prior(options.prior);
+void run(const ReproduceOptions& options) {
     options.study.check();
     const NetFile file = net_of(options);
     require_memory(training_memory(file.net, options.study.samples),
@@ -74,15 +69,11 @@ void run(const ReproduceOptions& given) {
     const std::filesystem::path directory(options.directory);
     const std::string results = study_to_json(study, run_record());
     auto files = study_to_csv(study);
-    files.emplace_back("results.json", results);
-    if (has_report_viewer()) {
-        files.emplace_back("report.html", report_html(parse_result(results, "results.json")));
-    }
     if (options.keep) {
         files.emplace_back("data.h5", data_set_bytes(study.data, file));
         files.emplace_back("model.h5", model_bytes(study.model, file));
     }
-    write_files(directory, files);
+    write_with_report(directory, "results.json", results, std::move(files));
 
     if (options.json) {
         say("{}", results);
@@ -109,8 +100,8 @@ void add_reproduce(CLI::App& program) {
         .add_option("--validation", options->study.validation,
                     "Number of samples kept from training, to validate on")
         ->capture_default_str();
-    command.add_option("--prior", options->prior, "Prior of the length deviations")
-        ->capture_default_str();
+    add_parsed(command, "--prior", options->study.prior, parse_length_prior,
+               "Prior of the length deviations", "uniform:5mm");
     add_seed_option(command, options->study.seed);
     command.add_flag("--keep", options->keep, "Write the data set and the model as well");
     set_action(command, options, run);

@@ -18,6 +18,7 @@
 
 #include "command.hpp"
 #include "run_record.hpp"
+#include "taut/adjustment/request_error.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/progress.hpp"
@@ -79,6 +80,12 @@ std::vector<std::string> with_new_names(int argc, char** argv) {
         words.push_back(fmt::format("{}{}", found->now, word.substr(name.size())));
     }
     return words;
+}
+
+/// "--total-stroke" of the field "total_stroke".
+std::string option_of(std::string field) {
+    std::ranges::replace(field, '_', '-');
+    return "--" + field;
 }
 
 int run(const Program& program, int argc, char** argv) {
@@ -154,6 +161,8 @@ int run_program(const Program& program, int argc, char** argv) noexcept {
         return fail(wrong_input, error.what());
     } catch (const OutputError& error) {
         return fail(wrong_input, error.what());
+    } catch (const RequestError& error) {
+        return fail(wrong_input, option_of(error.field()) + " " + error.problem());
     } catch (const std::invalid_argument& error) {
         return fail(wrong_input, error.what());
     } catch (const std::filesystem::filesystem_error& error) {

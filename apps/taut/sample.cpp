@@ -35,7 +35,7 @@ constexpr std::chrono::seconds longest_checkpoint_interval{30};
 struct SampleOptions : CommonOptions {
     std::string net;
     std::string output;
-    std::string prior = "uniform:5mm";
+    LengthPrior prior;
     UncertainOptions uncertain;
     std::uint64_t seed = 1;
     int count = 0;
@@ -155,7 +155,7 @@ void print_outcome(const SampleOptions& options, const CableNet& net, const Data
 
 void run(const SampleOptions& options) {
     const NetFile net = read_net(options.net);
-    const Sampler sampler(net.net, parse_length_prior(options.prior), options.seed,
+    const Sampler sampler(net.net, options.prior, options.seed,
                           options.uncertain.given(net.net, options.net));
     DataSet data = sampler.empty();
     if (!process_group().is_first()) {
@@ -203,12 +203,10 @@ void add_sample(CLI::App& program) {
     command.add_option("-n,--samples", options->count, "Number of samples")
         ->required()
         ->check(CLI::Range(1, 10'000'000));
-    command
-        .add_option(
-            "--prior", options->prior,
-            "Prior of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (standard "
-            "deviation), bimodal:5mm (near +-5 mm)")
-        ->capture_default_str();
+    add_parsed(command, "--prior", options->prior, parse_length_prior,
+               "Prior of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (standard "
+               "deviation), bimodal:5mm (near +-5 mm)",
+               "uniform:5mm");
     add_uncertain_option(command, options->uncertain);
     add_seed_option(command, options->seed);
     add_output_option(command, options->output, "Data set to write (HDF5)");

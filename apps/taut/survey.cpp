@@ -12,6 +12,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
+#include "taut/net/units.hpp"
 #include "taut/survey/noise_check.hpp"
 #include "taut/survey/simulation.hpp"
 #include "taut/survey/target_offsets.hpp"
@@ -23,15 +24,11 @@ namespace {
 struct SurveySimulationOptions : CommonOptions {
     std::string net;
     std::string form;
-    std::string noise;
     std::string offset;
-    std::string drop = "0%";
     std::string frame = "net";
     std::string output;
-    std::vector<std::string> stations;
-    std::string angle;
-    std::string range;
     SurveySimulation simulation;
+    PolarSimulation polar;  ///< where there are stations
 };
 
 /// "1,-2,0.5" as a place [m].
@@ -54,18 +51,10 @@ Eigen::Vector3d parse_place(const std::string& text) {
 /// The observations that instruments at the stations would make.
 void simulate_observations(const SurveySimulationOptions& options, const CableNet& net,
                            const Points& form) {
-    PolarSimulation simulation{.dropped_part = options.simulation.dropped_part,
-                               .shuffled = options.simulation.shuffled,
-                               .seed = options.simulation.seed};
-    for (const std::string& station : options.stations) {
-        simulation.stations.push_back(parse_place(station));
-    }
-    if (!options.angle.empty()) {
-        simulation.angle_std = parse_angle_std(options.angle).angle;
-    }
-    if (!options.range.empty()) {
-        simulation.distance = parse_distance_precision(options.range);
-    }
+    PolarSimulation simulation = options.polar;
+    simulation.dropped_part = options.simulation.dropped_part;
+    simulation.shuffled = options.simulation.shuffled;
+    simulation.seed = options.simulation.seed;
     const PolarSurvey survey = simulate_polar_survey(net, form, simulation);
     write_file(options.output, polar_to_csv(survey));
     const auto targets = survey.observations.size() / survey.stations.size();
@@ -95,36 +84,21 @@ void simulate_observations(const SurveySimulationOptions& options, const CableNe
         1e3 * distance.std, 1e6 * distance.part, options.output);
 }
 
-/// "10%" as 0.1.
-double parse_part(const std::string& text) {
-    double percent = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = fast_float::from_chars(text.data(), end, percent);
-    if (error != std::errc() || std::string_view(rest, end - rest) != "%" ||
-        !(percent >= 0.0 && percent < 100.0)) {
-        throw std::invalid_argument(
-            fmt::format("--drop is '{}', expected a part from 0% to below 100%", text));
-    }
-    return percent / 100.0;
-}
-
 void run(const SurveySimulationOptions& given) {
     SurveySimulationOptions options = given;
     SurveySimulation& simulation = options.simulation;
-    simulation.noise_std = parse_noise(options.noise);
     if (!options.offset.empty()) {
         const TargetOffset offset = parse_target_offset(options.offset);
         simulation.offset = offset.offset;
         simulation.offset_std = offset.std;
     }
-    simulation.dropped_part = parse_part(options.drop);
     simulation.random_frame = options.frame == "random";
     const CableNet net = read_net(options.net).net;
     refuse_absurd_noise(net, simulation.noise_std);
     const std::vector<std::string> warnings = noise_warnings(net, simulation.noise_std);
     const Points form = read_form(net, options.form);
     check_outputs({options.output}, {options.net, options.form});
-    if (!options.stations.empty()) {
+    if (!options.polar.stations.empty()) {
         simulate_observations(options, net, form);
         return;
     }
@@ -173,14 +147,14 @@ void add_survey(CLI::App& program) {
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("FORM", options->form, "Form to survey: id,x,y,z in m")->required();
     CLI::Option* const noise =
-        command.add_option("--noise", options->noise,
-                           "Standard deviation of normal noise on every coordinate (default: 0)");
+        add_parsed(command, "--noise", options->simulation.noise_std, parse_noise,
+                   "Standard deviation of normal noise on every coordinate (default: 0)");
     CLI::Option* const offset = command.add_option(
         "--offset", options->offset,
         "Offset of targets on free nodes along the net's normal (up), and its standard deviation: "
         "\"3mm:0.2mm\" (default: 0)");
-    command.add_option("--drop", options->drop, "Part of the free nodes that is not surveyed")
-        ->capture_default_str();
+    add_parsed(command, "--drop", options->simulation.dropped_part, parse_part,
+               "Part of the free nodes that is not surveyed", "0%");
     command.add_flag("--shuffle", options->simulation.shuffled,
                      "Targets on free nodes without names, in any order");
     CLI::Option* const frame =
@@ -191,22 +165,21 @@ void add_survey(CLI::App& program) {
             ->check(CLI::IsMember({"net", "random"}))
             ->capture_default_str();
     CLI::Option* const station =
-        command
-            .add_option(
-                "--station", options->stations,
-                "Place x,y,z [m] of an instrument in the net's coordinate system. Its angles "
-                "and distances are then written instead of coordinates. May be repeated")
+        add_each_parsed(
+            command, "--station", options->polar.stations, parse_place,
+            "Place x,y,z [m] of an instrument in the net's coordinate system. Its angles "
+            "and distances are then written instead of coordinates. May be repeated")
             ->allow_extra_args(false)
             ->excludes(noise)
             ->excludes(offset)
             ->excludes(frame);
-    command
-        .add_option("--angle", options->angle,
-                    "Standard deviation of its directions and zenith angles (default: 0.3mgon)")
+    add_parsed(
+        command, "--angle", options->polar.angle_std,
+        [](const std::string& text) { return parse_angle_std(text).angle; },
+        "Standard deviation of its directions and zenith angles (default: 0.3mgon)")
         ->needs(station);
-    command
-        .add_option("--range", options->range,
-                    "Standard deviation of its distances (default: 1mm+1.5ppm)")
+    add_parsed(command, "--range", options->polar.distance, parse_distance_precision,
+               "Standard deviation of its distances (default: 1mm+1.5ppm)")
         ->needs(station);
     add_seed_option(command, options->simulation.seed);
     add_output_option(command, options->output, "Survey to write (CSV)");

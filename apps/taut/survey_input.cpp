@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <optional>
 
 #include "command.hpp"
 #include "taut/files/file.hpp"
@@ -19,87 +18,6 @@
 #include "terminal.hpp"
 
 namespace taut::app {
-
-namespace {
-
-/// Options that most files make needless, as they say it themselves.
-void add_file_options(CLI::App& command, SurveyOptions& options, std::vector<CLI::Option*>& added) {
-    const auto add = [&](const char* name, std::string& value, const char* what,
-                         const char* group = heading::input) {
-        added.push_back(command.add_option(name, value, what)->group(group));
-        return added.back();
-    };
-    add("--format", options.format, "Format of the survey (default: by its content)")
-        ->check(CLI::IsMember({"table", "xyz", "pts", "gsi", "landxml", "jobxml", "gama", "dxf"}));
-    add("--unit", options.unit,
-        "Unit of the coordinates (default: that of the file; else by the extent of the net)")
-        ->check(CLI::IsMember({"m", "mm", "cm", "ft", "us-ft", "in"}));
-    add("--columns", options.columns,
-        "Columns of a table in their order, id,x,y,z,sx,sy,sz; - skips one (default: by its "
-        "header)");
-    add("--separator", options.separator, "Separator of a table's columns (default: detected)")
-        ->check(CLI::IsMember({"comma", "semicolon", "tab", "blank"}));
-    add("--decimal", options.decimal, "Decimal sign of a table (default: detected)")
-        ->check(CLI::IsMember({"point", "comma"}));
-    add("--encoding", options.encoding, "Encoding of the survey's text (default: detected)")
-        ->check(CLI::IsMember({"utf-8", "utf-16", "latin-1"}));
-    add("--match", options.match,
-        "How points are matched to nodes: by name, by place, or auto: by name where a node has it, "
-        "else by place")
-        ->check(CLI::IsMember({"auto", "name", "place"}))
-        ->capture_default_str();
-    add("--offset", options.offset,
-        "Offset of targets from the cable's axis along the net's normal (up; -3mm: down), and its "
-        "standard deviation: \"3mm:0.2mm\"",
-        heading::known);
-    add("--offsets", options.offsets,
-        "Table of offsets by a target's name or code: target,offset[,std]. --offset is then that "
-        "of all other targets",
-        heading::known);
-    add("--angle", options.angle,
-        "Standard deviation of each direction and zenith angle of a file of polar observations "
-        "without any: \"0.3mgon\". Angles without a unit are then in gon (gon, mgon), degrees "
-        "(deg, arcsec) or radians (rad, mrad)",
-        heading::known);
-    add("--range", options.range,
-        "The same of each distance: \"1mm+1.5ppm\" (default of both: a common total station's)",
-        heading::known);
-    add("--names", options.names, "Table to write: which point is at which node (CSV)",
-        heading::output);
-}
-
-SurveyFileOptions file_options_of(const SurveyOptions& options) {
-    SurveyFileOptions given;
-    if (!options.separator.empty()) {
-        given.separator = parse_separator(options.separator);
-    }
-    if (!options.format.empty()) {
-        given.format = parse_survey_format(options.format);
-    }
-    if (!options.columns.empty()) {
-        given.columns = parse_survey_columns(options.columns);
-    }
-    if (!options.decimal.empty()) {
-        given.decimal = parse_decimal_sign(options.decimal);
-    }
-    if (!options.encoding.empty()) {
-        given.encoding = parse_text_encoding(options.encoding);
-    }
-    return given;
-}
-
-TargetOffsets target_offsets_of(const SurveyOptions& options) {
-    TargetOffsets offsets;
-    if (!options.offsets.empty()) {
-        offsets.of = parse_target_offsets(read_file(options.offsets), options.offsets);
-    }
-    if (!options.offset.empty()) {
-        offsets.all = parse_target_offset(options.offset);
-    }
-    return offsets;
-}
-
-}  // namespace
 
 double parse_noise(const std::string& text) {
     const double noise_std = text.empty() ? 0.0 : parse_length(text);
@@ -120,57 +38,107 @@ AngleText parse_angle_std(const std::string& text) {
 }
 
 std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options) {
-    CLI::Option* const noise = command.add_option(
+    ReadSurveyOptions& read = options.read;
+    std::vector<CLI::Option*> added;
+    const auto add = [&](CLI::Option* option, const char* group = heading::input) {
+        added.push_back(option->group(group));
+        return option;
+    };
+    added.push_back(command.add_option(
         "--noise", options.noise,
         "Standard deviation of each surveyed coordinate, such as 0.5mm, where the file has none "
         "(default: that of its last digit). identify also takes estimate: it then estimates the "
-        "scale from the survey");
-    CLI::Option* const frame =
-        command
-            .add_option("--frame", options.frame,
-                        "Coordinate system of the survey: net (that of the net), supports (a rigid "
-                        "motion is fitted to the supports that it names), auto (net where its "
-                        "supports agree, else supports). Small errors of the coordinate system "
-                        "are estimated together with the lengths, except with --frame net")
-            ->check(CLI::IsMember({"auto", "net", "supports"}))
-            ->capture_default_str()
-            ->group(heading::input);
-    CLI::Option* const control =
-        command
-            .add_option("--control", options.control,
-                        "Control points id,x,y,z in the net's coordinate system. The survey is "
-                        "fitted to them instead of to the supports")
-            ->group(heading::input);
-    std::vector<CLI::Option*> added{noise, frame, control};
-    add_file_options(command, options, added);
+        "scale from the survey"));
+    add(add_parsed(
+            command, "--frame", read.frame,
+            [](const std::string& name) {
+                return name == "net"        ? SurveyFrame::net
+                       : name == "supports" ? SurveyFrame::supports
+                                            : SurveyFrame::automatic;
+            },
+            "Coordinate system of the survey: net (that of the net), supports (a rigid "
+            "motion is fitted to the supports that it names), auto (net where its "
+            "supports agree, else supports). Small errors of the coordinate system "
+            "are estimated together with the lengths, except with --frame net",
+            "auto"))
+        ->check(CLI::IsMember({"auto", "net", "supports"}));
+    add(command.add_option("--control", options.control,
+                           "Control points id,x,y,z in the net's coordinate system. The survey is "
+                           "fitted to them instead of to the supports"));
+    add(add_parsed(command, "--format", read.file.format, parse_survey_format,
+                   "Format of the survey (default: by its content)"))
+        ->check(CLI::IsMember({"table", "xyz", "pts", "gsi", "landxml", "jobxml", "gama", "dxf"}));
+    add(add_parsed(
+            command, "--unit", read.unit, length_of_unit,
+            "Unit of the coordinates (default: that of the file; else by the extent of the net)"))
+        ->check(CLI::IsMember({"m", "mm", "cm", "ft", "us-ft", "in"}));
+    add(add_parsed(command, "--columns", read.file.columns, parse_survey_columns,
+                   "Columns of a table in their order, id,x,y,z,sx,sy,sz; - skips one (default: by "
+                   "its header)"));
+    add(add_parsed(command, "--separator", read.file.separator, parse_separator,
+                   "Separator of a table's columns (default: detected)"))
+        ->check(CLI::IsMember({"comma", "semicolon", "tab", "blank"}));
+    add(add_parsed(command, "--decimal", read.file.decimal, parse_decimal_sign,
+                   "Decimal sign of a table (default: detected)"))
+        ->check(CLI::IsMember({"point", "comma"}));
+    add(add_parsed(command, "--encoding", read.file.encoding, parse_text_encoding,
+                   "Encoding of the survey's text (default: detected)"))
+        ->check(CLI::IsMember({"utf-8", "utf-16", "latin-1"}));
+    add(add_parsed(
+            command, "--match", read.matching,
+            [](const std::string& name) {
+                return name == "name"    ? PointMatching::name
+                       : name == "place" ? PointMatching::place
+                                         : PointMatching::automatic;
+            },
+            "How points are matched to nodes: by name, by place, or auto: by name where a node has "
+            "it, else by place",
+            "auto"))
+        ->check(CLI::IsMember({"auto", "name", "place"}));
+    add(add_parsed(command, "--offset", read.offsets.all, parse_target_offset,
+                   "Offset of targets from the cable's axis along the net's normal (up; -3mm: "
+                   "down), and its standard deviation: \"3mm:0.2mm\""),
+        heading::known);
+    add(command.add_option("--offsets", options.offsets,
+                           "Table of offsets by a target's name or code: target,offset[,std]. "
+                           "--offset is then that of all other targets"),
+        heading::known);
+    add(command.add_option_function<std::string>(
+            "--angle",
+            [&read](const std::string& text) {
+                const AngleText angle = parse_angle_std(text);
+                read.angle_std = angle.angle;
+                read.file.angle_unit = angle.full_unit;
+                read.file.takes_observations = true;
+            },
+            "Standard deviation of each direction and zenith angle of a file of polar observations "
+            "without any: \"0.3mgon\". Angles without a unit are then in gon (gon, mgon), degrees "
+            "(deg, arcsec) or radians (rad, mrad)"),
+        heading::known);
+    add(command.add_option_function<std::string>(
+            "--range",
+            [&read](const std::string& text) {
+                read.distance = parse_distance_precision(text);
+                read.file.takes_observations = true;
+            },
+            "The same of each distance: \"1mm+1.5ppm\" (default of both: a common total "
+            "station's)"),
+        heading::known);
+    add(command.add_option("--names", options.names,
+                           "Table to write: which point is at which node (CSV)"),
+        heading::output);
     return added;
 }
 
 ReadSurveyOptions SurveyOptions::read_options() const {
     constexpr double first_guess = 0.001;  // [m]
-    ReadSurveyOptions options{.noise_std = noise.empty() ? std::nullopt
-                                           : noise == estimated_noise
-                                               ? std::optional(first_guess)
-                                               : std::optional(parse_noise(noise)),
-                              .frame = frame == "net"        ? SurveyFrame::net
-                                       : frame == "supports" ? SurveyFrame::supports
-                                                             : SurveyFrame::automatic,
-                              .control = control,
-                              .file = file_options_of(*this),
-                              .unit = unit.empty() ? std::nullopt : length_of_unit(unit),
-                              .matching = match == "name"    ? PointMatching::name
-                                          : match == "place" ? PointMatching::place
-                                                             : PointMatching::automatic,
-                              .offsets = target_offsets_of(*this)};
-    if (!angle.empty()) {
-        const AngleText given = parse_angle_std(angle);
-        options.angle_std = given.angle;
-        options.file.angle_unit = given.full_unit;
-        options.file.takes_observations = true;
+    ReadSurveyOptions options = read;
+    options.control = control;
+    if (!noise.empty()) {
+        options.noise_std = noise == estimated_noise ? first_guess : parse_noise(noise);
     }
-    if (!range.empty()) {
-        options.distance = parse_distance_precision(range);
-        options.file.takes_observations = true;
+    if (!offsets.empty()) {
+        options.offsets.of = parse_target_offsets(read_file(offsets), offsets);
     }
     return options;
 }

@@ -15,28 +15,17 @@
 
 namespace taut::app {
 
-/// The options of add_survey_options(), as given.
+/// The options of add_survey_options().
 struct SurveyOptions {
+    ReadSurveyOptions read;  ///< but for what stands below
     std::string survey;
-    std::string frame = "auto";
     std::string control;
-    std::string noise;
-    std::string format;
-    std::string unit;
-    std::string columns;
-    std::string separator;
-    std::string decimal;
-    std::string encoding;
-    std::string match = "auto";
-    std::string angle;
-    std::string range;
-    std::string offset;
+    std::string noise;    ///< a length, or estimated_noise
     std::string offsets;  ///< file of a table
     std::string names;    ///< file to write: points and their nodes
 
-    /// @throws std::invalid_argument as parse_noise(), parse_survey_columns(), parse_angle_std()
-    /// and
-    ///   parse_distance_precision()
+    /// @throws std::invalid_argument as parse_noise()
+    /// @throws InputError as parse_target_offsets()
     [[nodiscard]] ReadSurveyOptions read_options() const;
 };
 

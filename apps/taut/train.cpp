@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -29,42 +28,9 @@ namespace {
 struct TrainOptions : CommonOptions {
     std::string data;
     std::string output;
-    std::string mean;
-    std::string kernel;
+    TrainingSettings settings;
     bool as_in_paper = false;
-
-    [[nodiscard]] TrainingSettings settings() const;
 };
-
-constexpr std::array all_means{MeanFunction::geometry, MeanFunction::zero};
-constexpr std::array all_metrics{KernelMetric::isotropic, KernelMetric::direction,
-                                 KernelMetric::node};
-
-template <typename Setting, size_t N>
-std::vector<std::string> names(const std::array<Setting, N>& all) {
-    std::vector<std::string> result;
-    result.reserve(N);
-    for (const Setting setting : all) {
-        result.emplace_back(to_string(setting));
-    }
-    return result;
-}
-
-template <typename Setting, size_t N>
-void choose(Setting& chosen, const std::string& name, const std::array<Setting, N>& all) {
-    for (const Setting setting : all) {
-        if (name == to_string(setting)) {
-            chosen = setting;
-        }
-    }
-}
-
-TrainingSettings TrainOptions::settings() const {
-    TrainingSettings settings = as_in_paper ? TrainingSettings::paper() : TrainingSettings();
-    choose(settings.mean, mean, all_means);
-    choose(settings.metric, kernel, all_metrics);
-    return settings;
-}
 
 /// Edges whose Gaussian process could not be fitted.
 std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
@@ -121,7 +87,9 @@ void run(const TrainOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const LengthModel model = [&] {
         ProgressLine line(options.quiet);
-        return train(stored.net.net, stored.data, samples, options.settings(), line.progress());
+        return train(stored.net.net, stored.data, samples,
+                     options.as_in_paper ? TrainingSettings::paper() : options.settings,
+                     line.progress());
     }();
     if (!process_group().is_first()) {
         return;
@@ -188,17 +156,25 @@ void add_train(CLI::App& program) {
     CLI::Option* paper = command.add_flag(
         "--as-in-paper", options->as_in_paper,
         "The paper's settings: zero mean, isotropic kernel, surveys taken as exact");
-    command
-        .add_option("--mean", options->mean,
-                    "Mean function: geometry (nominal strain in the edges as measured; default) or "
-                    "zero (with the isotropic kernel the same as --as-in-paper)")
-        ->check(CLI::IsMember(names(all_means)))
+    add_parsed(
+        command, "--mean", options->settings.mean,
+        [](const std::string& name) {
+            return name == "zero" ? MeanFunction::zero : MeanFunction::geometry;
+        },
+        "Mean function: geometry (nominal strain in the edges as measured; default) or "
+        "zero (with the isotropic kernel the same as --as-in-paper)")
+        ->check(CLI::IsMember({"geometry", "zero"}))
         ->excludes(paper);
-    command
-        .add_option("--kernel", options->kernel,
-                    "Metric of the kernel: isotropic (default), or with a scale for each direction "
-                    "or each node")
-        ->check(CLI::IsMember(names(all_metrics)))
+    add_parsed(
+        command, "--kernel", options->settings.metric,
+        [](const std::string& name) {
+            return name == "direction" ? KernelMetric::direction
+                   : name == "node"    ? KernelMetric::node
+                                       : KernelMetric::isotropic;
+        },
+        "Metric of the kernel: isotropic (default), or with a scale for each direction "
+        "or each node")
+        ->check(CLI::IsMember({"isotropic", "direction", "node"}))
         ->excludes(paper);
     set_action(command, options, run);
 }

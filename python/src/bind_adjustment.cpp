@@ -5,11 +5,10 @@
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,31 +26,54 @@
 #include "states.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
-#include "taut/adjustment/limits.hpp"
-#include "taut/adjustment/plan.hpp"
-#include "taut/adjustment/suggested_edges.hpp"
-#include "taut/adjustment/turn_order.hpp"
+#include "taut/adjustment/plan_turns.hpp"
 #include "taut/files/file.hpp"
+#include "taut/interchange/foreign_survey.hpp"
+#include "taut/io/adjustment_csv.hpp"
 #include "taut/results/plan_files.hpp"
 
 namespace taut::python {
 namespace {
 
+/// A form, the name of a file, or a surface of vertices and triangles.
+class TargetLike : public nb::object {
+    static bool is_any(nb::handle) { return true; }
+    NB_OBJECT(TargetLike, nb::object,
+              "numpy.typing.ArrayLike | str | os.PathLike | tuple[numpy.typing.ArrayLike, "
+              "numpy.typing.ArrayLike]",
+              is_any)
+};
+
+/// Least and most, either of which may be left out; of all edges, or by group.
+class RangeLike : public nb::object {
+    static bool is_any(nb::handle) { return true; }
+    NB_OBJECT(RangeLike, nb::object,
+              "tuple[float | None, float | None] | dict[str | None, tuple[float | None, float | "
+              "None]]",
+              is_any)
+};
+
+/// A force of all supports, or by group.
+class ForceLike : public nb::object {
+    static bool is_any(nb::handle) { return true; }
+    NB_OBJECT(ForceLike, nb::object, "float | dict[str | None, float]", is_any)
+};
+
+/// Arrays by their names.
+class ArraysByName : public nb::object {
+    static bool is_any(nb::handle) { return true; }
+    NB_OBJECT(ArraysByName, nb::object, "dict[str, numpy.typing.ArrayLike]", is_any)
+};
+
 /// What plan_to_json(), plan_to_csv() or plan_warnings() make of a plan.
 template <class Write>
 auto written(const Planned& planned, Write write) {
-    const FormTarget target(planned.net, planned.target);
+    const FormTarget target = target_of(planned.net, planned.target);
     return write(PlanRecord{.net = &planned.net,
                             .built = &planned.built,
                             .trust = &planned.trust,
                             .target = &target,
-                            .limits = &planned.limits,
-                            .options = &planned.options,
-                            .plan = &planned.plan,
-                            .order = &planned.order,
-                            .further = planned.suggested_adjustable,
-                            .crews = planned.crews,
-                            .thread = planned.thread});
+                            .turns = &planned.turns});
 }
 
 std::string plan_json(const Planned& planned) {
@@ -62,23 +84,121 @@ std::string plan_csv(const Planned& planned) {
     return written(planned, &plan_to_csv);
 }
 
-using Range = std::pair<std::optional<double>, std::optional<double>>;
-
-TensionLimits tension_limits(const CableNet& net, const std::optional<Range>& range) {
-    TensionLimits limits = TensionLimits::no_slack(net);
-    if (range && range->first) {
-        limits.lower.setConstant(*range->first);
-    }
-    if (range && range->second) {
-        limits.upper.setConstant(*range->second);
-    }
-    return limits;
+const Plan& plan_of(const Planned& planned) {
+    return planned.turns.plan;
 }
 
-Plan plan_on(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-             const PlanOptions& options, const Progress& progress) {
+template <class T>
+T of_type(nb::handle value, const char* name, const char* expected) {
     try {
-        return plan_strokes(built, target, limits, options, progress);
+        return nb::cast<T>(value);
+    } catch (const nb::cast_error&) {
+        const auto type = nb::cast<std::string>(nb::str(value.type().attr("__name__")));
+        throw nb::type_error(fmt::format("{}: got {}, expected {}", name, type, expected).c_str());
+    }
+}
+
+/// Calls `take` with the group and each value of a dict, or with no group and the one value.
+template <class Value, class Take>
+void for_each_group(nb::handle given, const char* name, const char* expected, Take take) {
+    if (!nb::isinstance<nb::dict>(given)) {
+        take(std::nullopt, of_type<Value>(given, name, expected));
+        return;
+    }
+    for (const auto& [group, value] : nb::borrow<nb::dict>(given)) {
+        take(of_type<std::optional<std::string>>(group, name, "names of groups, or None for all"),
+             of_type<Value>(value, name, expected));
+    }
+}
+
+using Range = std::pair<std::optional<double>, std::optional<double>>;
+
+void add_tension(PlanRequest& request, const std::optional<RangeLike>& given, const char* name,
+                 bool is_part) {
+    if (!given) {
+        return;
+    }
+    const auto bound = [&](const std::optional<double>& value) {
+        return value ? std::optional(TensionBound{.value = *value, .is_part = is_part})
+                     : std::nullopt;
+    };
+    for_each_group<Range>(*given, name, "(least, most), either of which may be None",
+                          [&](std::optional<std::string> group, const Range& range) {
+                              request.tension.push_back({.least = bound(range.first),
+                                                         .most = bound(range.second),
+                                                         .group = std::move(group)});
+                          });
+}
+
+/// A surface given as (vertices, triangles).
+GivenTarget surface_argument(nb::handle vertices, nb::handle triangles, double unit) {
+    const nb::object corners = nb::module_::import_("numpy").attr("asarray")(triangles);
+    const auto shape = nb::cast<std::vector<size_t>>(corners.attr("shape"));
+    if (shape.size() != 2 || shape[1] != 3 || shape[0] == 0) {
+        throw nb::value_error("target: its triangles are not (f, 3), expected three vertices each");
+    }
+    const std::vector<int> flat = indices_argument(corners.attr("ravel")(), "target");
+    GivenTarget target{.points = unit * points_argument(vertices, "target", -1)};
+    for (size_t k = 0; k < flat.size(); k += 3) {
+        target.triangles.push_back({flat[k], flat[k + 1], flat[k + 2]});
+    }
+    return target;
+}
+
+GivenTarget target_argument(const CableNet& net, const std::optional<TargetLike>& given,
+                            const std::string& unit_name) {
+    const std::optional<double> unit = length_of_unit(unit_name);
+    if (!unit) {
+        throw nb::value_error(
+            fmt::format("target_unit: got '{}', expected a unit such as 'mm'", unit_name).c_str());
+    }
+    if (!given) {
+        return read_target(net, {}, *unit);
+    }
+    if (nb::isinstance<nb::str>(*given) || nb::hasattr(*given, "__fspath__")) {
+        return read_target(net, nb::cast<std::filesystem::path>(*given), *unit);
+    }
+    if (nb::isinstance<nb::tuple>(*given) && nb::len(*given) == 2 && net.node_count() > 2) {
+        return surface_argument((*given)[0], (*given)[1], *unit);
+    }
+    if (*unit != 1.0) {
+        throw nb::value_error("target_unit: is for a surface, which the target is not");
+    }
+    return {.points = points_argument(*given, "target", net.node_count())};
+}
+
+/// One number for all nodes or one of each, along the normal and across it.
+std::vector<NodeWeights> weights_argument(const CableNet& net,
+                                          const std::pair<ArrayLike, ArrayLike>& given) {
+    const Eigen::VectorXd normal = vector_or_number(given.first, "weights", net.node_count());
+    const Eigen::VectorXd tangential = vector_or_number(given.second, "weights", net.node_count());
+    std::vector<NodeWeights> weights;
+    for (const int node : net.free_nodes()) {
+        weights.push_back({.node = node, .normal = normal(node), .tangential = tangential(node)});
+    }
+    return weights;
+}
+
+FormObjective objective_named(const std::string& name) {
+    if (name != "rms" && name != "largest") {
+        throw nb::value_error(
+            fmt::format("objective: got '{}', expected 'rms' or 'largest'", name).c_str());
+    }
+    return name == "rms" ? FormObjective::rms : FormObjective::largest;
+}
+
+/// By Python's warnings.
+void warn(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        nb::module_::import_("warnings")
+            .attr("warn")("target: " + warning, nb::arg("stacklevel") = 2);
+    }
+}
+
+PlannedTurns plan_on(const CableNet& net, const BuiltNet& built, const FormTarget& target,
+                     const PlanRequest& request, const Progress& progress) {
+    try {
+        return plan_turns(net, built, target, request, progress);
     } catch (const FailedIdentification& failed) {
         throw std::invalid_argument(fmt::format(
             "identification: {}; accept_failed=True plans on it all the same, for study only",
@@ -86,66 +206,75 @@ Plan plan_on(const BuiltNet& built, const FormTarget& target, const Limits& limi
     }
 }
 
-Planned planned(const Identified& identified, const std::optional<ArrayLike>& target, double stroke,
-                const std::optional<Range>& tension, const std::optional<ArrayLike>& edges,
-                const std::optional<double>& turn, const std::optional<double>& step,
-                const std::optional<double>& tolerance, double confidence, double actuator_std,
-                int crews, const std::optional<std::string>& thread, int suggest_adjustable,
+Planned planned(const Identified& identified, const std::optional<TargetLike>& target,
+                double stroke, const std::optional<RangeLike>& tension,
+                const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
+                const std::optional<double>& step, const std::optional<double>& tolerance,
+                double confidence, double actuator_std, int crews,
+                const std::optional<std::string>& thread, int suggest_adjustable,
                 const std::optional<double>& suggest_targets, bool accept_failed,
-                const nb::object& progress) {
+                const std::optional<double>& total_stroke,
+                const std::optional<RangeLike>& tension_part,
+                const std::optional<ForceLike>& reaction,
+                const std::optional<ArraysByName>& load_cases, const std::string& target_unit,
+                const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
+                const std::string& objective, const nb::object& progress) {
     const CableNet& net = identified.net;
-    PlanOptions options{.edges = edges ? indices_argument(*edges, "edges") : net.adjustable_edges(),
-                        .confidence = confidence,
-                        .actuator_std = actuator_std,
-                        .tolerance = tolerance,
-                        .survey_noise = suggest_targets,
-                        .accept_failed = accept_failed};
-    if (edges && options.edges.empty()) {
-        throw nb::value_error("edges: got none, expected those that may be turned");
+    PlanRequest request{.options = {.confidence = confidence,
+                                    .actuator_std = actuator_std,
+                                    .tolerance = tolerance,
+                                    .survey_noise = suggest_targets,
+                                    .accept_failed = accept_failed},
+                        .stroke = stroke,
+                        .total_stroke = total_stroke,
+                        .crews = crews,
+                        .suggest_adjustable = suggest_adjustable};
+    if (edges) {
+        request.options.edges = indices_argument(*edges, "edges");
+        if (request.options.edges.empty()) {
+            throw nb::value_error("edges: got none, expected those that may be turned");
+        }
     }
-    std::ranges::sort(options.edges);
     if (turn) {
-        options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
+        request.options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
     } else if (step) {
         throw nb::value_error("step: is a part of a turn, and turn is not given");
     }
-    Limits limits = limits_of_stroke(net, options.edges.size(), stroke);
-    limits.tension = tension_limits(net, tension);
-    const FormTarget form(
-        net, target ? points_argument(*target, "target", net.node_count()) : net.nodes());
-    const std::optional<Thread> threads =
-        thread ? std::optional(thread_named(*thread)) : std::nullopt;
-    if (suggest_adjustable < 0) {
-        throw nb::value_error(
-            fmt::format("suggest_adjustable: got {}, expected 0 or more", suggest_adjustable)
-                .c_str());
+    if (thread) {
+        request.thread = thread_named(*thread);
     }
+    add_tension(request, tension, "tension", false);
+    add_tension(request, tension_part, "tension_part", true);
+    if (reaction) {
+        for_each_group<double>(
+            *reaction, "reaction", "a force", [&](std::optional<std::string> group, double upper) {
+                request.reaction.push_back({.upper = upper, .group = std::move(group)});
+            });
+    }
+    if (load_cases) {
+        for_each_group<ArrayLike>(
+            *load_cases, "load_cases", "loads by name",
+            [&](std::optional<std::string> name, const ArrayLike& loads) {
+                request.load_cases.push_back(
+                    {.name = name.value_or("load_cases"),
+                     .loads = points_argument(loads, "load_cases", net.node_count())});
+            });
+    }
+    GivenTarget given = target_argument(net, target, target_unit);
+    given.objective = objective_named(objective);
+    if (weights) {
+        given.node_weights = weights_argument(net, *weights);
+    }
+    const FormTarget form = target_of(net, given);
+    warn(target_warnings(net, form));
     return interruptible(progress, [&](const Progress& reporter) {
         BuiltNet built = built_net_of(net, identified.found);
-        Plan plan = plan_on(built, form, limits, options, reporter);
-        TurnOrder order = order_turns(built, limits, plan,
-                                      {.crews = crews,
-                                       .turn_step = options.turn ? options.turn->step() : 0.0,
-                                       .confidence = options.confidence,
-                                       .actuator_std = options.actuator_std,
-                                       .seed = options.seed},
-                                      reporter);
-        std::optional<std::vector<SuggestedEdge>> suggested;
-        if (suggest_adjustable > 0) {
-            suggested =
-                suggested_edges(built, form, limits, options, plan, suggest_adjustable, reporter);
-        }
+        PlannedTurns turns = plan_on(net, built, form, request, reporter);
         return Planned{.net = net,
                        .built = std::move(built),
                        .trust = identified.found.trust,
-                       .target = form.places(),
-                       .limits = limits,
-                       .options = options,
-                       .plan = std::move(plan),
-                       .order = std::move(order),
-                       .suggested_adjustable = std::move(suggested),
-                       .crews = crews,
-                       .thread = threads};
+                       .target = std::move(given),
+                       .turns = std::move(turns)};
     });
 }
 
@@ -155,7 +284,7 @@ void bind_plan(nb::module_& module) {
         "Which turnbuckle to turn how far, in which order, and the form and tensions that follow.");
     make_picklable(result);
     bind_fields<Plan>(
-        result, &Planned::plan,
+        result, &plan_of,
         {{"as_built",
           "Deviation from the target before anything is turned [m]: mean, max and rmse in 3D, "
           "normal_mean, normal_max and normal_rmse along the normal of the target."},
@@ -178,6 +307,8 @@ void bind_plan(nb::module_& module) {
           "The limits given less the margin for uncertainty [N]: of the net's loads, then of each "
           "load case, lower and upper of each force, reactions behind tensions."},
          {"draws", "Number of posterior samples in which limits were kept; 0: the estimate alone."},
+         {"draws_needed",
+          "Number of these that must keep all limits for the confidence required; 0 without."},
          {"no_draws_because", "Why there are no posterior samples; else empty."},
          {"limit_probability",
           "Probability that all limits are kept; None without posterior samples."},
@@ -196,42 +327,43 @@ void bind_plan(nb::module_& module) {
          {"iterations", "Steps of the search for strokes."}});
     result
         .def_prop_ro(
-            "edges", [](const Planned& self) { return edges_of_each(self.plan.strokes); },
+            "edges", [](const Planned& self) { return edges_of_each(self.turns.plan.strokes); },
             "Edges that are turned, ascending (k,).")
         .def_prop_ro(
             "strokes",
             [](const Planned& self) {
-                return array_of_each(self.plan.strokes, &PlannedStroke::stroke);
+                return array_of_each(self.turns.plan.strokes, &PlannedStroke::stroke);
             },
             "Change of the unstressed length of each (k,), positive lengthens [m].")
         .def_prop_ro(
             "form",
             [](nb::handle_t<Planned> self) {
-                return view_of(nb::cast<const Planned&>(self).plan.form, self);
+                return view_of(plan_of(nb::cast<const Planned&>(self)).form, self);
             },
             "Planned form (n, 3) [m].")
         .def_prop_ro(
             "tension",
             [](nb::handle_t<Planned> self) {
-                return view_of(nb::cast<const Planned&>(self).plan.tensions, self);
+                return view_of(plan_of(nb::cast<const Planned&>(self)).tensions, self);
             },
             "Planned tensions (m,) [N].")
         .def_prop_ro(
-            "order", [](const Planned& self) { return in_python_types(self.order); },
+            "order", [](const Planned& self) { return in_python_types(self.turns.order); },
             "Order of the work: turns, of each its edge, stroke [m], pass, crew and step (turns of "
             "one step are made at once); passes; walk of all crews [m]; safe_probability and "
             "is_safe; worst, the step (-1: none) with the worst breach of a limit.")
         .def_prop_ro(
             "suggested_adjustable",
-            [](const Planned& self) { return in_python_types(self.suggested_adjustable); },
+            [](const Planned& self) { return in_python_types(self.turns.suggested_adjustable); },
             "Edges that would help most if they were made adjustable, each with those before it: "
             "edge, stroke and normal_rmse_after [m]; None without suggest_adjustable.")
         .def_prop_ro(
-            "is_safe", [](const Planned& self) { return self.order.is_safe; },
+            "is_safe", [](const Planned& self) { return self.turns.order.is_safe; },
             "Whether no step of the work breaks a limit that was kept before, with the confidence "
             "required.")
         .def_prop_ro(
-            "safe_probability", [](const Planned& self) { return self.order.safe_probability; },
+            "safe_probability",
+            [](const Planned& self) { return self.turns.order.safe_probability; },
             "Probability that no step of the work breaks a limit that was kept before; 0 or 1 "
             "without posterior samples.")
         .def_prop_ro(
@@ -274,10 +406,11 @@ void bind_plan(nb::module_& module) {
             return fmt::format(
                 "Plan({} of {} edges, by at most {:.2f} mm; {}; along the normal {:.2f} mm RMS, "
                 "{:.2f} mm as built{})",
-                self.plan.strokes.size(), self.options.edges.size(),
-                1e3 * self.plan.largest_stroke(),
-                self.plan.is_feasible ? "limits are kept" : "LIMITS ARE BROKEN",
-                1e3 * self.plan.planned.normal_rmse, 1e3 * self.plan.as_built.normal_rmse,
+                self.turns.plan.strokes.size(), self.turns.options.edges.size(),
+                1e3 * self.turns.plan.largest_stroke(),
+                self.turns.plan.is_feasible ? "limits are kept" : "LIMITS ARE BROKEN",
+                1e3 * self.turns.plan.planned.normal_rmse,
+                1e3 * self.turns.plan.as_built.normal_rmse,
                 self.trust.verdict() == Trust::Verdict::passed
                     ? ""
                     : fmt::format("; the identification is {}", to_string(self.trust.verdict())));
@@ -295,14 +428,20 @@ void bind_adjustment(nb::module_& module) {
                nb::arg("confidence") = 0.95, nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1,
                nb::arg("thread") = nb::none(), nb::arg("suggest_adjustable") = 0,
                nb::arg("suggest_targets") = nb::none(), nb::arg("accept_failed") = false,
-               nb::arg("progress") = nb::none(),
+               nb::arg("total_stroke") = nb::none(), nb::arg("tension_part") = nb::none(),
+               nb::arg("reaction") = nb::none(), nb::arg("load_cases") = nb::none(),
+               nb::arg("target_unit") = "m", nb::arg("weights") = nb::none(),
+               nb::arg("objective") = "rms", nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
 Args:
     identification: of identify(), with its posterior samples.
-    target: form to approach (n, 3), by default the nominal one [m].
-    stroke: longest stroke of each edge, either way [m].
-    tension: (least, most) of every edge; either may be None [N].
+    target: form to approach (n, 3), by default the nominal one [m]; or a surface, as its vertices
+        (v, 3) and triangles (f, 3) in a tuple; or the name of a file of a form, or of a surface
+        (.obj, .ply).
+    stroke: longest stroke of each edge from where it is, either way [m].
+    tension: (least, most) of every edge; either may be None [N]. Or a dict of these by group; the
+        key None is for every edge, and groups override it.
     edges: that may be turned, by default the adjustable ones.
     turn: change of length by one turn [m].
     step: smallest part of a turn that a crew can do, 0.25 say.
@@ -316,6 +455,16 @@ Args:
         deviation [m].
     accept_failed: plan on an identification that failed its checks, too; the first line of the
         lists then says that they must not be used.
+    total_stroke: largest deviation of an edge to turn from its designed length, either way [m].
+    tension_part: as tension, in parts of the net's breaking_load, 0 to 1.
+    reaction: largest force at every support [N], or a dict of these by group of edges: of the
+        supports at them.
+    load_cases: loads (n, 3) that come on top of the net's own later, by name [N]; limits of forces
+        hold under each as well.
+    target_unit: unit of a surface's coordinates, 'mm' say.
+    weights: of the squared deviations along the target's normal and across it, one number of all
+        nodes or (n,) each, by default (1, 0.1).
+    objective: what is minimised, 'rms' of the deviations or the 'largest'.
     progress: called with stage, done, total.)");
 }
 

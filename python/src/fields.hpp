@@ -124,6 +124,9 @@ TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)
 TAUT_FIELDS(LoadCase, name, loads, tension)
 TAUT_FIELDS(ForceRange, lower, upper)
+TAUT_FIELDS(DeviationWeights, normal, tangential)
+TAUT_FIELDS(NodeWeights, node, normal, tangential)
+TAUT_FIELDS(GivenTarget, points, triangles, weights, node_weights, objective)
 TAUT_FIELDS(Limits, shortest_stroke, longest_stroke, tension, reactions, load_cases)
 TAUT_FIELDS(TurnSize, pitch, smallest)
 TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, survey_noise, seed,
@@ -134,14 +137,14 @@ TAUT_FIELDS(SuggestedTarget, node, normal_std)
 TAUT_FIELDS(SuggestedEdge, edge, stroke, normal_rmse_after)
 TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
 TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggested_targets, form,
-            form_std, tensions, tension_lower, tension_upper, effective_limits, draws,
+            form_std, tensions, tension_lower, tension_upper, effective_limits, draws, draws_needed,
             no_draws_because, limit_probability, is_feasible, has_converged, breaches,
             normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
 TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
 TAUT_FIELDS(WorstStep, step, breach)
 TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)
-TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, suggested_adjustable,
-            crews, thread)
+TAUT_FIELDS(PlannedTurns, options, limits, plan, order, suggested_adjustable, crews, thread)
+TAUT_FIELDS(Planned, net, built, trust, target, turns)
 
 #undef TAUT_FIELDS
 

@@ -10,6 +10,7 @@
 
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "taut/adjustment/request_error.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/net/cable_net.hpp"
@@ -55,6 +56,8 @@ void bind_exceptions(nb::module_& module) {
             raise(net_error, error);
         } catch (const SurveyError& error) {
             raise(survey_error, error);
+        } catch (const RequestError& error) {
+            PyErr_SetString(PyExc_ValueError, (error.field() + ": " + error.problem()).c_str());
         } catch (const std::invalid_argument& error) {
             raise(PyExc_ValueError, error);
         }

@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "taut/adjustment/built_net.hpp"
-#include "taut/adjustment/limits.hpp"
-#include "taut/adjustment/plan.hpp"
-#include "taut/adjustment/suggested_edges.hpp"
-#include "taut/adjustment/turn_order.hpp"
+#include "taut/adjustment/form_target.hpp"
+#include "taut/adjustment/plan_turns.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -20,14 +15,8 @@ struct Planned {
     CableNet net;
     BuiltNet built;
     Trust trust;
-    Points target;  ///< 3 x n [m]
-    Limits limits;
-    PlanOptions options;
-    Plan plan;
-    TurnOrder order;
-    std::optional<std::vector<SuggestedEdge>> suggested_adjustable;
-    int crews = 1;
-    std::optional<Thread> thread;
+    GivenTarget target;
+    PlannedTurns turns;
 };
 
 }  // namespace taut::python

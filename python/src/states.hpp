@@ -7,8 +7,10 @@
 
 #include <fmt/core.h>
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/tuple.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -80,6 +82,18 @@ struct State<T> {
             throw nb::value_error("state: holds an array of another shape");
         }
         return T(std::move(matrix));
+    }
+};
+
+/// Three corners of a triangle.
+template <>
+struct State<std::array<int, 3>> {
+    static nb::object of(const std::array<int, 3>& corners) {
+        return nb::make_tuple(corners[0], corners[1], corners[2]);
+    }
+    static std::array<int, 3> read(nb::handle state) {
+        const auto [first, second, third] = nb::cast<std::tuple<int, int, int>>(state);
+        return {first, second, third};
     }
 };
 

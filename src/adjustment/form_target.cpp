@@ -11,6 +11,7 @@
 
 #include "net/check_index.hpp"
 #include "statics/arguments.hpp"
+#include "taut/net/units.hpp"
 #include "taut/survey/target_offsets.hpp"
 
 namespace taut {
@@ -148,6 +149,58 @@ Eigen::Matrix3d FormTarget::weight(int node) const {
 
 Eigen::Vector3d FormTarget::weighted(int node, const Eigen::Vector3d& deviation) const {
     return weight(node) * deviation;
+}
+
+FormTarget target_of(const CableNet& net, const GivenTarget& given) {
+    FormTarget target =
+        given.triangles.empty()
+            ? FormTarget(net, given.points, given.weights, given.objective)
+            : FormTarget(net, std::make_shared<const TargetSurface>(given.points, given.triangles),
+                         given.weights, given.objective);
+    if (!given.node_weights.empty()) {
+        Eigen::VectorXd normal = target.normal_weights();
+        Eigen::VectorXd tangential = target.tangential_weights();
+        for (const NodeWeights& of : given.node_weights) {
+            check_index("node", of.node, normal.size());
+            normal(of.node) = of.normal;
+            tangential(of.node) = of.tangential;
+        }
+        target.set_weights(std::move(normal), std::move(tangential));
+    }
+    return target;
+}
+
+std::vector<std::string> target_warnings(const CableNet& net, const FormTarget& target) {
+    constexpr double least_shown = 1e-3;  // [m]
+    std::vector<std::string> result;
+    if (target.surface() == nullptr) {
+        return result;
+    }
+    const TargetSurface& surface = *target.surface();
+    if (surface.left_out() > 0) {
+        result.push_back(fmt::format("{} of {} triangles have no area and are not used",
+                                     surface.left_out(),
+                                     surface.left_out() + surface.triangle_count()));
+    }
+    int outside = 0;
+    int furthest = -1;
+    double most = least_shown;
+    for (const int node : net.free_nodes()) {
+        const double distance = surface.nearest(net.nodes().col(node)).beyond_border;
+        outside += distance > least_shown ? 1 : 0;
+        if (distance > most) {
+            most = distance;
+            furthest = node;
+        }
+    }
+    if (outside > 0) {
+        result.push_back(fmt::format(
+            "{} node{} outside the border of the surface, '{}' by {}. The surface is extended "
+            "there",
+            outside, outside == 1 ? " is" : "s are", net.node_id(furthest),
+            format_length(1e-4 * std::round(1e4 * most))));
+    }
+    return result;
 }
 
 FormDeviation deviation_from(const FormTarget& of, const CableNet& net, const Points& form) {

@@ -350,6 +350,7 @@ private:
         const DrawnStrokes drawn_strokes = drawn(state);
         const LimitMargins margins(m_given, state, drawn_strokes);
         plan.draws = static_cast<int>(draws());
+        plan.draws_needed = draws_needed(m_options->confidence, draws());
         plan.limit_probability = margins.probability();
         // The estimate must keep the limits, too: samples of the lengths of slack cables may miss a
         // violation of it.

@@ -6,6 +6,10 @@
 #include <cmath>
 
 #include "io/name_column.hpp"
+#include "taut/adjustment/request_error.hpp"
+#include "taut/files/file.hpp"
+#include "taut/interchange/surface_mesh.hpp"
+#include "taut/io/read_survey.hpp"
 
 namespace taut {
 namespace {
@@ -80,6 +84,18 @@ std::vector<NodeWeights> parse_node_weights(const CableNet& net, std::string_vie
         result.push_back({.node = node, .normal = normal, .tangential = tangential});
     }
     return result;
+}
+
+GivenTarget read_target(const CableNet& net, const std::filesystem::path& file, double unit) {
+    if (is_surface_mesh_name(file)) {
+        SurfaceMesh mesh = parse_surface_mesh(read_file(file), file.string());
+        return {.points = unit * mesh.vertices, .triangles = std::move(mesh.triangles)};
+    }
+    if (unit != 1.0) {
+        throw RequestError("target_unit",
+                           "is for a surface, .obj or .ply, which the target is not");
+    }
+    return {.points = file.empty() ? net.nodes() : read_form(net, file)};
 }
 
 }  // namespace taut

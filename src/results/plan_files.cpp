@@ -38,21 +38,22 @@ struct Listed {
 std::vector<Listed> listed_turnings(const PlanRecord& record) {
     std::map<int, double> length;
     std::vector<Listed> list;
-    for (const Turning& turning : record.order->turnings) {
+    for (const Turning& turning : record.turns->order.turnings) {
         const auto [it, is_new] =
             length.try_emplace(turning.edge, record.built->net.unstressed_lengths()(turning.edge));
         it->second += turning.stroke;
         list.push_back(
             {.turning = turning,
              .reading_after = it->second - record.net->unstressed_lengths()(turning.edge),
-             .tension_after = record.plan->tensions(turning.edge)});
+             .tension_after = record.turns->plan.tensions(turning.edge)});
     }
     return list;
 }
 
 std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
-    return record.options->turn ? std::optional(std::abs(stroke) / record.options->turn->pitch)
-                                : std::nullopt;
+    return record.turns->options.turn
+               ? std::optional(std::abs(stroke) / record.turns->options.turn->pitch)
+               : std::nullopt;
 }
 
 /// Of the support at an edge's end; empty where it has none.
@@ -69,8 +70,8 @@ std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
     const std::vector<int>& adjustable = record.net->adjustable_edges();
     const std::vector<Thread>& threads = record.net->data().thread;
     const auto found = std::ranges::find(adjustable, edge);
-    if (record.thread || threads.empty() || found == adjustable.end()) {
-        return record.thread;
+    if (record.turns->thread || threads.empty() || found == adjustable.end()) {
+        return record.turns->thread;
     }
     return threads[static_cast<size_t>(found - adjustable.begin())];
 }
@@ -87,18 +88,18 @@ Json breach_json(const CableNet& net, const LimitBreach& breach) {
 }
 
 Json planned_tension_json(const PlanRecord& record) {
-    const Plan& plan = *record.plan;
+    const Plan& plan = record.turns->plan;
     const CableNet& built = record.built->net;
     const Eigen::VectorXd as_built = tensions(built, built.unstressed_lengths(), built.nodes());
     Json edges = Json::array();
     for (int e = 0; e < built.edge_count(); ++e) {
-        const double upper = record.limits->tension.upper(e);
+        const double upper = record.turns->limits.tension.upper(e);
         Json edge{{"edge", e},
                   {"as_built", as_built(e)},
                   {"planned", plan.tensions(e)},
                   {"lower", plan.draws > 0 ? Json(plan.tension_lower(e)) : Json()},
                   {"upper", plan.draws > 0 ? Json(plan.tension_upper(e)) : Json()},
-                  {"limit_lower", record.limits->tension.lower(e)},
+                  {"limit_lower", record.turns->limits.tension.lower(e)},
                   {"limit_upper", std::isinf(upper) ? Json() : Json(upper)}};
         edges.push_back(std::move(edge));
     }
@@ -111,9 +112,9 @@ Json planned_tension_json(const PlanRecord& record) {
 }
 
 Json turn_order_json(const PlanRecord& record) {
-    const TurnOrder& order = *record.order;
+    const TurnOrder& order = record.turns->order;
     return {{"passes", order.passes},
-            {"crews", record.crews},
+            {"crews", record.turns->crews},
             {"walk", order.walk},
             {"safe", order.is_safe},
             {"safe_probability", order.safe_probability},
@@ -125,24 +126,24 @@ Json turn_order_json(const PlanRecord& record) {
 
 /// Targets that would make the planned form better known; null where they were not asked for.
 Json suggested_targets_json(const PlanRecord& record) {
-    if (!record.options->survey_noise) {
+    if (!record.turns->options.survey_noise) {
         return {};
     }
     Json targets = Json::array();
-    for (const SuggestedTarget& target : record.plan->suggested_targets) {
+    for (const SuggestedTarget& target : record.turns->plan.suggested_targets) {
         targets.push_back({{"node", target.node},
                            {"id", record.net->node_id(target.node)},
                            {"normal_std", target.normal_std}});
     }
-    return {{"noise", *record.options->survey_noise}, {"targets", targets}};
+    return {{"noise", *record.turns->options.survey_noise}, {"targets", targets}};
 }
 
 Json suggested_edges_json(const PlanRecord& record) {
-    if (!record.further) {
+    if (!record.turns->suggested_adjustable) {
         return {};
     }
     Json result = Json::array();
-    for (const SuggestedEdge& further : *record.further) {
+    for (const SuggestedEdge& further : *record.turns->suggested_adjustable) {
         result.push_back({{"edge", further.edge},
                           {"edge_id", record.net->edge_id(further.edge)},
                           {"stroke", further.stroke},
@@ -175,8 +176,8 @@ std::optional<std::string_view> rotation_of(double stroke, std::optional<Thread>
 }
 
 std::vector<std::string> plan_warnings(const PlanRecord& record) {
-    const Plan& plan = *record.plan;
-    const TurnOrder& order = *record.order;
+    const Plan& plan = record.turns->plan;
+    const TurnOrder& order = record.turns->order;
     std::vector<std::string> warnings;
     if (const std::string failure = failure_of(*record.trust); !failure.empty()) {
         warnings.push_back(fmt::format(
@@ -188,12 +189,12 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
         warnings.push_back(fmt::format(
             "NO SAFE ORDER WAS FOUND: the probability that no step breaks a limit is {:.1f} % "
             "(required: {:g} %)",
-            100.0 * order.safe_probability, 100.0 * record.options->confidence));
+            100.0 * order.safe_probability, 100.0 * record.turns->options.confidence));
     } else if (!order.is_safe) {
         warnings.push_back(
             fmt::format("NO SAFE ORDER WAS FOUND: step {} breaks a limit", order.worst.step + 1));
     }
-    if (plan.draws == 0 && record.limits->has_forces()) {
+    if (plan.draws == 0 && record.turns->limits.has_forces()) {
         warnings.push_back(
             fmt::format("LIMITS CANNOT BE PROMISED: tensions are not reported, because {}",
                         plan.no_draws_because));
@@ -202,7 +203,7 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
 }
 
 std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
-    const Plan& plan = *record.plan;
+    const Plan& plan = record.turns->plan;
     const CableNet& net = *record.net;
     Json turns = Json::array();
     for (const Listed& listed : listed_turnings(record)) {
@@ -235,7 +236,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"turns", turns},
         {"touched", plan.strokes.size()},
         {"largest_stroke", plan.largest_stroke()},
-        {"limits_given", record.limits->has_forces()},
+        {"limits_given", record.turns->limits.has_forces()},
         {"feasible", plan.is_feasible},
         {"converged", plan.has_converged},
         {"violations", violations},
@@ -250,13 +251,14 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
           {"node_weights", node_weights_json(record)},
-          {"confidence", record.options->confidence},
-          {"actuator", record.options->actuator_std},
-          {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
-          {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
-          {"tolerance", or_null(record.options->tolerance)},
-          {"thread",
-           !record.thread ? Json() : Json(*record.thread == Thread::right ? "right" : "left")}}},
+          {"confidence", record.turns->options.confidence},
+          {"actuator", record.turns->options.actuator_std},
+          {"pitch", record.turns->options.turn ? Json(record.turns->options.turn->pitch) : Json()},
+          {"step", record.turns->options.turn ? Json(record.turns->options.turn->step()) : Json()},
+          {"tolerance", or_null(record.turns->options.tolerance)},
+          {"thread", !record.turns->thread
+                         ? Json()
+                         : Json(*record.turns->thread == Thread::right ? "right" : "left")}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
          {{"reached", or_null(plan.is_within_tolerance)},
@@ -293,7 +295,7 @@ std::string plan_to_csv(const PlanRecord& record) {
             rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
             turns ? fmt::format("{:.3f}", *turns) : "", 1e3 * turning.stroke,
             1e3 * listed.reading_after,
-            record.plan->draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "");
+            record.turns->plan.draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "");
     }
     return text;
 }

@@ -106,6 +106,45 @@ TEST(FormTarget, RefusesASurfaceOutOfReachAndSaysInWhichUnitItWouldFit) {
         refused("surface cannot be moved"));
 }
 
+TEST(FormTarget, IsMadeOfWhatIsGiven) {
+    const CableNet net = hypar(3, 3);
+    const int node = net.free_nodes()[1];
+    GivenTarget given{.points = net.nodes(),
+                      .weights = {.normal = 2.0},
+                      .node_weights = {{.node = node, .normal = 9.0, .tangential = 3.0}},
+                      .objective = FormObjective::largest};
+    const FormTarget form = target_of(net, given);
+    EXPECT_EQ(form.objective(), FormObjective::largest);
+    EXPECT_EQ(form.normal_weights()(node), 9.0);
+    EXPECT_EQ(form.tangential_weights()(node), 3.0);
+    EXPECT_EQ(form.normal_weights()(net.free_nodes()[0]), 2.0);
+    EXPECT_EQ(form.surface(), nullptr);
+    EXPECT_TRUE(target_warnings(net, form).empty());
+    given.node_weights[0].node = net.node_count();
+    EXPECT_THROW(static_cast<void>(target_of(net, given)), std::out_of_range);
+}
+
+TEST(FormTarget, WarnsOfTrianglesWithoutAreaAndNodesBeyondTheBorder) {
+    CableNetData data = hypar(3, 3).data();
+    data.nodes.row(2).setZero();
+    const CableNet net(data);
+    const Eigen::Vector3d low = data.nodes.rowwise().minCoeff();
+    Eigen::Vector3d high = data.nodes.rowwise().maxCoeff();
+    // The border is 10 mm short of the outermost free node.
+    high.x() = data.nodes(0, net.free_nodes()).maxCoeff() - 0.01;
+    Points corners(3, 4);
+    corners << low.x(), high.x(), high.x(), low.x(), low.y(), low.y(), high.y(), high.y(), 0.0, 0.0,
+        0.0, 0.0;
+    const FormTarget surface =
+        target_of(net, {.points = corners, .triangles = {{0, 1, 2}, {0, 2, 3}, {0, 0, 1}}});
+    ASSERT_NE(surface.surface(), nullptr);
+    EXPECT_THAT(target_warnings(net, surface),
+                ::testing::ElementsAre(
+                    "1 of 3 triangles have no area and are not used",
+                    ::testing::AllOf(HasSubstr("outside the border of the surface, '"),
+                                     HasSubstr("' by 10mm. The surface is extended there"))));
+}
+
 TEST(FormTarget, RefusesWhatIsNoTarget) {
     const CableNet net = hypar(3, 3);
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -172,8 +172,8 @@ resume_of_text | sample net.json -n 9 -o old.h5 --resume | old.h5:
 noise_of_unknown_unit | @compare --noise 0,0.5in | --noise has the entry '0.5in'
 absurd_noise | @compare --noise 0.5m --training 9 | 0.5 m
 an_empty_entry | @compare --noise 0,,1mm | --noise has the entry ''
-one_training_sample | @compare --training 100,1 | --training has the entry '1'
-all_hidden | @compare --hidden 100% | --hidden has the entry '100%'
+one_training_sample | @compare --training 100,1 | 1 training samples, expected 2
+all_hidden | @compare --hidden 100% | the hidden part is 1
 no_surveys | @compare --surveys 0 | 0 surveys
 # train
 missing_data | train nothing.h5 -o old.h5 | nothing.h5

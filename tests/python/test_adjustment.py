@@ -3,6 +3,11 @@
 """Guards against turns that do not lead to the form that was planned."""
 
 import json
+import pickle
+import shutil
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -79,19 +84,157 @@ def test_a_table_of_strokes(found):
     assert table.stroke.to_numpy() == pytest.approx(plan.strokes)
 
 
+@pytest.fixture(scope="module")
+def job(net, columns, tmp_path_factory):
+    """An identified net with groups and breaking loads, and the files of its plans."""
+    folder = tmp_path_factory.mktemp("job")
+    net.save(folder / "net.json")
+    document = json.loads((folder / "net.json").read_text())
+    at_edge = net.adjustable_edges[:4].tolist()
+    document["groups"] = {"ridge": at_edge}
+    document["breaking_load"] = [60e3] * len(net.edges)
+    (folder / "net.json").write_text(json.dumps(document))
+    grouped = taut.CableNet.load(folder / "net.json")
+    wet = np.zeros_like(net.nodes)
+    wet[net.free_nodes, 2] = -50.0
+    for name, columns_of in (("wet.csv", wet), ("form.csv", net.nodes)):
+        lines = [
+            f"{net.node_id(node)},{x},{y},{z}" for node, (x, y, z) in enumerate(columns_of.tolist())
+        ]
+        (folder / name).write_text("\n".join(["id,x,y,z", *lines]) + "\n")
+    low, high = net.nodes.min(axis=0), net.nodes.max(axis=0)
+    count = 12
+    u, v = np.meshgrid(*[np.linspace(-0.1, 1.1, count)] * 2, indexing="ij")
+    places = np.stack([low[0] + u * (high[0] - low[0]), low[1] + v * (high[1] - low[1])], axis=-1)
+    near = np.linalg.norm(places.reshape(-1, 1, 2) - net.nodes[None, :, :2], axis=2).argmin(axis=1)
+    vertices = np.column_stack([places.reshape(-1, 2), net.nodes[near, 2]])
+    corner = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
+    triangles = np.concatenate(
+        [
+            np.column_stack([corner, corner + 1, corner + count]),
+            np.column_stack([corner + 1, corner + count + 1, corner + count]),
+        ]
+    )
+    text = [f"v {x} {y} {z}" for x, y, z in (1e3 * vertices).tolist()]
+    text += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in triangles.tolist()]
+    (folder / "roof.obj").write_text("\n".join(text) + "\n")
+    weight = "\n".join(f"{net.node_id(node)},3,0.5" for node in net.free_nodes[:5])
+    (folder / "weights.csv").write_text(f"id,normal,tangential\n{weight}\n")
+    survey = taut.read_survey(grouped, columns)
+    found = taut.identify(grouped, survey, prior="uniform:3mm", draws=60)
+    found.save(folder / "result.json")
+    weights = np.ones(len(net.nodes)), np.full(len(net.nodes), 0.1)
+    weights[0][net.free_nodes[:5]] = 3.0
+    weights[1][net.free_nodes[:5]] = 0.5
+    return {
+        "folder": folder,
+        "found": found,
+        "wet": wet,
+        "surface": (vertices, triangles),
+        "weights": weights,
+    }
+
+
+JOBS = {
+    "strokes": (
+        ["--stroke", "12mm", "--total-stroke", "9mm", "--turn", "4mm", "--step", "1/4"],
+        lambda job: {"stroke": 0.012, "total_stroke": 0.009, "turn": 0.004, "step": 0.25},
+    ),
+    "tension by group": (
+        ["--tension", "10N..", "--tension", "..40kN@ridge", "--confidence", "90%"],
+        lambda job: {"tension": {"ridge": (None, 40e3), None: (10.0, None)}, "confidence": 0.9},
+    ),
+    "parts of breaking loads": (
+        ["--tension", "..60%"],
+        lambda job: {"tension_part": (None, 0.6)},
+    ),
+    "reactions and later loads": (
+        ["--reaction", "50kN", "--reaction", "40kN@ridge", "--check", "wet.csv"],
+        lambda job: {
+            "reaction": {None: 50e3, "ridge": 40e3},
+            "load_cases": {"wet.csv": job["wet"]},
+        },
+    ),
+    "surface": (
+        ["--target", "roof.obj", "--target-unit", "mm", "--objective", "largest"],
+        lambda job: {
+            "target": job["folder"] / "roof.obj",
+            "target_unit": "mm",
+            "objective": "largest",
+        },
+    ),
+    "weights": (
+        ["--target", "form.csv", "--node-weights", "weights.csv"],
+        lambda job: {"target": str(job["folder"] / "form.csv"), "weights": job["weights"]},
+    ),
+    "suggestions": (
+        ["--suggest-adjustable", "2", "--suggest-targets", "0.5mm", "--crews", "2"],
+        lambda job: {"suggest_adjustable": 2, "suggest_targets": 0.5e-3, "crews": 2},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", JOBS)
+def test_a_plan_is_that_of_the_program_to_the_last_digit(job, name):
+    words, settings = JOBS[name]
+    program = shutil.which("taut", path=Path(sys.executable).parent)
+    command = [program, "plan", "net.json", "result.json", "-o", "plan.json", "--quiet", *words]
+    done = subprocess.run(command, cwd=job["folder"], capture_output=True, text=True, check=False)
+    assert done.returncode in (0, 1), done.stderr  # 1: it breaks limits, and is written
+    of_program = json.loads((job["folder"] / "plan.json").read_text())
+    plan = taut.plan(job["found"], **{"stroke": 0.015, **settings(job)})
+    assert plan.is_feasible == (done.returncode == 0)
+    assert plan.strokes.size > 0
+    for key in ("date", "command"):
+        del of_program[key]
+    assert plan.to_dict() == of_program
+    assert pickle.loads(pickle.dumps(plan)).to_json() == plan.to_json()
+
+
+def test_a_surface_may_be_an_array(job):
+    vertices, triangles = job["surface"]
+    named = taut.plan(job["found"], target=job["folder"] / "roof.obj", target_unit="mm")
+    given = taut.plan(job["found"], target=(1e3 * vertices, triangles), target_unit="mm")
+    assert given.to_json() == named.to_json()
+    with pytest.warns(UserWarning, match="1 of 243 triangles have no area"):
+        taut.plan(job["found"], target=(vertices, np.vstack([triangles, [0, 0, 1]])))
+
+
+def test_the_samples_that_a_confidence_takes_are_told(found):
+    assert taut.plan(found, confidence=0.9).draws_needed == 91
+
+
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
         ({"stroke": -1.0}, "stroke"),
+        ({"total_stroke": 0.0}, "total_stroke: is 0mm, expected more than 0"),
+        ({"tension": {"ridge": (1.0, None)}}, "tension: names the group 'ridge'"),
+        ({"tension": (2.0, 1.0)}, "tension: is 2 N..1 N"),
+        ({"tension_part": (0.2, 0.6)}, "has no breaking_load"),
+        ({"reaction": {"ridge": 1.0}}, "reaction: names the group 'ridge'"),
+        ({"load_cases": {"wet": np.zeros((2, 3))}}, "load_cases: got shape"),
+        ({"objective": "mean"}, "objective: got 'mean'"),
+        ({"target_unit": "mm"}, "target_unit: is for a surface"),
+        ({"target_unit": "yard"}, "target_unit: got 'yard'"),
+        ({"weights": (-1.0, 0.1)}, "weight is -1"),
+        ({"target": (np.zeros((4, 3)), np.zeros((1, 4), int))}, "its triangles are not"),
         ({"target": np.zeros((2, 3))}, "target"),
         ({"edges": [10**6]}, "edge"),
         ({"edges": []}, "edges: got none"),
         ({"step": 0.25}, "step"),
         ({"crews": 0}, "crew"),
         ({"thread": "up"}, "thread"),
-        ({"suggest_adjustable": -1}, "suggest_adjustable: got -1"),
+        ({"suggest_adjustable": -1}, "suggest_adjustable: is -1"),
     ],
 )
 def test_what_cannot_be_planned_is_refused(found, settings, words):
     with pytest.raises(ValueError, match=words):
+        taut.plan(found, **settings)
+
+
+@pytest.mark.parametrize("settings", [{"tension": 3.0}, {"reaction": "much"}, {"load_cases": 1}])
+def test_what_is_of_no_such_kind_is_refused_by_its_name(found, settings):
+    [name] = settings
+    with pytest.raises((TypeError, ValueError), match=name):
         taut.plan(found, **settings)

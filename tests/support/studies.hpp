@@ -193,17 +193,18 @@ inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
         .worst = {.step = 0, .breach = plan.breaches.front()}};
     PlanOptions options;
     options.turn = TurnSize{.pitch = 0.005, .smallest = 0.25};
+    const PlannedTurns turns{.options = options,
+                             .limits = limits,
+                             .plan = plan,
+                             .order = order,
+                             .suggested_adjustable = {},
+                             .crews = 2,
+                             .thread = {}};
     const Trust trust;
-    return parse_result(plan_to_json({.net = &net,
-                                      .built = &built,
-                                      .trust = &trust,
-                                      .target = &target,
-                                      .limits = &limits,
-                                      .options = &options,
-                                      .plan = &plan,
-                                      .order = &order,
-                                      .crews = 2}),
-                        "plan.json");
+    return parse_result(
+        plan_to_json(
+            {.net = &net, .built = &built, .trust = &trust, .target = &target, .turns = &turns}),
+        "plan.json");
 }
 
 }  // namespace taut::test

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "taut/adjustment/target_surface.hpp"
@@ -22,6 +24,22 @@ enum class FormObjective {
 struct DeviationWeights {
     double normal = 1.0;      ///< 0 or more; of a node without normal in all directions
     double tangential = 0.1;  ///< across the normal, 0 or more
+};
+
+/// Weights of the squares of a node's deviations, in place of those of all nodes.
+struct NodeWeights {
+    int node = 0;             ///< index of a free node
+    double normal = 0.0;      ///< of the deviation along the normal, 0 or more
+    double tangential = 0.0;  ///< of the deviation across it, 0 or more
+};
+
+/// A target as it is given, before it is held against a net: target_of().
+struct GivenTarget {
+    Points points;  ///< places of the nodes (3 x n), or vertices of a surface (3 x v) [m]
+    std::vector<std::array<int, 3>> triangles = {};  ///< of a surface; empty: a form
+    DeviationWeights weights = {};                   ///< of all nodes
+    std::vector<NodeWeights> node_weights = {};      ///< of single nodes
+    FormObjective objective = FormObjective::rms;    ///< what is minimised
 };
 
 /// Target place and normal of each free node. A node without normal (of a single cable, say) has
@@ -100,6 +118,18 @@ private:
     Eigen::VectorXd m_tangential_weight;
     FormObjective m_objective;
 };
+
+/// The target of a net.
+/// @throws std::invalid_argument as FormTarget and TargetSurface
+/// @throws std::out_of_range for weights of a node that the net does not have
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT FormTarget target_of(const CableNet& net,
+                                                          const GivenTarget& given);
+
+/// What about a target surface may be wrong, one line each: triangles without area, nodes beyond
+/// its border. None for a form.
+/// @param target of this net, which is not checked
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<std::string> target_warnings(
+    const CableNet& net, const FormTarget& target);
 
 /// Deviation of a form from a target, over the free nodes; from a surface at the points nearest to
 /// the form [m].

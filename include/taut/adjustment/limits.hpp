@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,38 @@ struct LoadCase {
     std::string name;       ///< for LimitBreach::load_case
     Points loads;           ///< 3 x n, in place of the net's [N]
     TensionLimits tension;  ///< under these loads
+};
+
+/// How far an edge may be turned from where it is.
+struct StrokeRange {
+    int edge = 0;           ///< index in the net
+    double shortest = 0.0;  ///< 0 or less [m]
+    double longest = 0.0;   ///< 0 or more [m]
+};
+
+/// A limit of tension: a force, or a part of the breaking load of each edge.
+struct TensionBound {
+    double value = 0.0;    ///< [N], or the part, 0 to 1
+    bool is_part = false;  ///< whether it is a part
+};
+
+/// Limits of the tension of all edges, or of a group. A bound that is not given is left as it is.
+struct TensionRange {
+    std::optional<TensionBound> least = {};  ///< 0 or more
+    std::optional<TensionBound> most = {};   ///< above `least`
+    std::optional<std::string> group = {};   ///< of edges of the net; empty: all edges
+};
+
+/// Upper limit of the force at all supports, or at those of a group of edges.
+struct ReactionBound {
+    double upper = 0.0;                     ///< [N]
+    std::optional<std::string> group = {};  ///< of edges of the net; empty: all supports
+};
+
+/// Loads that come on top of the net's own later.
+struct AddedLoads {
+    std::string name;  ///< for LimitBreach::load_case
+    Points loads;      ///< 3 x n [N]
 };
 
 /// Limits of all forces under one set of loads: the tensions of all edges (m), then the reactions
@@ -68,9 +101,8 @@ struct TAUT_ADJUSTMENT_EXPORT Limits {
 /// Checks that limits are consistent.
 /// @param edges that may be turned, indices of the net: not checked
 /// @throws std::invalid_argument for limits of wrong size or not numbers, a lower limit not below
-/// its
-///   upper, a range of strokes without 0 or that leaves an edge a tenth of its length or less, a
-///   reaction limit that is not positive or of a node that is no support
+///   its upper, a range of strokes without 0 or that leaves an edge a tenth of its length or less,
+///   a reaction limit that is not positive or of a node that is no support
 TAUT_ADJUSTMENT_EXPORT void check_limits(const CableNet& net, const std::vector<int>& edges,
                                          const Limits& limits);
 

@@ -93,7 +93,8 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     /// The effective limits: the given ones less the margin for uncertainty; of the net's loads,
     /// then of each load case.
     std::vector<ForceRange> effective_limits;
-    int draws = 0;  ///< posterior samples that limits were kept in; 0: in the estimate alone
+    int draws = 0;         ///< posterior samples that limits were kept in; 0: in the estimate alone
+    int draws_needed = 0;  ///< of these must keep all limits for the confidence; 0 without samples
     std::string no_draws_because;             ///< why there are no samples
     std::optional<double> limit_probability;  ///< that all limits are kept; empty without samples
     bool is_feasible = false;    ///< all limits are kept, with the required probability
@@ -108,6 +109,8 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
 
     /// The longest stroke, in absolute value; 0 where none is turned [m].
     [[nodiscard]] double largest_stroke() const;
+    /// By how much the strokes lower the root mean square along the normal [m].
+    [[nodiscard]] double gain() const { return as_built.normal_rmse - planned.normal_rmse; }
 };
 
 /// Strokes that bring a net near a target and keep its limits: first the limits, then the form,

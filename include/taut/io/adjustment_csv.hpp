@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "taut/adjustment/form_target.hpp"
+#include "taut/adjustment/limits.hpp"
 #include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
 /// @file
-/// What is given for edges and nodes of a plan in files. All throw InputError with the line, for a
+/// What is given for edges and nodes of a plan in files. All throw InputError, with the line for a
 /// name that is not of the net or comes twice, a number that is none, and an empty file. The header
 /// may be left out.
 namespace taut {
-
-/// How far an edge may be turned.
-struct StrokeRange {
-    int edge = 0;           ///< index in the net
-    double shortest = 0.0;  ///< 0 or less [m]
-    double longest = 0.0;   ///< 0 or more [m]
-};
 
 /// edge,shortest,longest in m; edges that are not named may not be turned.
 /// @return in the order of the file, at least one
@@ -33,17 +29,20 @@ struct StrokeRange {
 [[nodiscard]] TAUT_IO_EXPORT Points parse_loads(const CableNet& net, std::string_view text,
                                                 const std::string& file_name);
 
-/// Weights of the squares of a node's deviations.
-struct NodeWeights {
-    int node = 0;             ///< index of a free node
-    double normal = 0.0;      ///< of the deviation along the normal, 0 or more
-    double tangential = 0.0;  ///< of the deviation across it, 0 or more
-};
-
 /// id,normal,tangential: free nodes, weights of 0 or more.
 /// @return in the order of the file, at least one
 /// @throws InputError as parse_stroke_ranges(), and for a support or a negative weight
 [[nodiscard]] TAUT_IO_EXPORT std::vector<NodeWeights> parse_node_weights(
     const CableNet& net, std::string_view text, const std::string& file_name);
+
+/// The target of a plan: a form, as read_form(), or a surface, .obj or .ply, as
+/// parse_surface_mesh().
+/// @param file its name; empty: the net's own nodes
+/// @param unit of a surface's coordinates [m]
+/// @throws InputError as these
+/// @throws RequestError for the unit of a form, which is always m
+[[nodiscard]] TAUT_IO_EXPORT GivenTarget read_target(const CableNet& net,
+                                                     const std::filesystem::path& file,
+                                                     double unit = 1.0);
 
 }  // namespace taut

@@ -7,9 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "taut/adjustment/plan.hpp"
-#include "taut/adjustment/suggested_edges.hpp"
-#include "taut/adjustment/turn_order.hpp"
+#include "taut/adjustment/plan_turns.hpp"
 #include "taut/export/io.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/results/results_json.hpp"
@@ -19,17 +17,11 @@ namespace taut {
 /// The parts of a saved plan. All pointers must be set, to parts that belong together and live
 /// until the plan is written: not checked.
 struct PlanRecord {
-    const CableNet* net = nullptr;         ///< as designed
-    const BuiltNet* built = nullptr;       ///< that the plan begins with
-    const Trust* trust = nullptr;          ///< of the identification that it is based on
-    const FormTarget* target = nullptr;    ///< of the plan
-    const Limits* limits = nullptr;        ///< as given, without the plan's margins
-    const PlanOptions* options = nullptr;  ///< that the plan was made with
-    const Plan* plan = nullptr;            ///< strokes, and their results
-    const TurnOrder* order = nullptr;      ///< of the plan's strokes
-    std::optional<std::vector<SuggestedEdge>> further;  ///< if asked for
-    int crews = 1;                                      ///< that `order` is for
-    std::optional<Thread> thread;  ///< of all turnbuckles; empty: as in the net
+    const CableNet* net = nullptr;        ///< as designed
+    const BuiltNet* built = nullptr;      ///< that the plan begins with
+    const Trust* trust = nullptr;         ///< of the identification that it is based on
+    const FormTarget* target = nullptr;   ///< of the plan
+    const PlannedTurns* turns = nullptr;  ///< the plan, and what it was made with
 };
 
 /// Why nobody should turn by a plan, the worst reason first, one line each; they head all lists.

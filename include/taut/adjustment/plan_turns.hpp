@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "taut/adjustment/limits.hpp"
+#include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/request_error.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
+#include "taut/adjustment/turn_order.hpp"
+#include "taut/export/adjustment.hpp"
+
+namespace taut {
+
+/// What a plan is to keep to and to find, in terms that need no net: groups go by their names.
+struct PlanRequest {
+    PlanOptions options = {};  ///< their edges in any order; empty: the net's adjustable edges
+    double stroke = 15e-3;     ///< largest change of length of an edge from now on, either way [m]
+    /// In place of `stroke`; edges that are not named are not turned. Empty: `stroke` of all.
+    std::vector<StrokeRange> stroke_ranges = {};
+    /// Largest deviation of an edge to turn from its designed length, either way [m].
+    std::optional<double> total_stroke = {};
+    std::vector<TensionRange> tension = {};    ///< those of groups override those of all edges
+    std::vector<ReactionBound> reaction = {};  ///< all hold together
+    std::vector<AddedLoads> load_cases = {};   ///< under each, all limits of forces hold as well
+    int crews = 1;                             ///< TurnOrderOptions::crews
+    int suggest_adjustable = 0;                ///< count of suggested_edges(); 0: none
+    std::optional<Thread> thread = {};         ///< of all turnbuckles; empty: as in the net
+};
+
+/// Checks a range by itself; what it is of, resolve() does.
+/// @throws RequestError for a lower limit that is negative or not below the upper one, and parts
+///   above 1
+TAUT_ADJUSTMENT_EXPORT void check_tension_range(const TensionRange& range);
+
+/// A request in terms of a net.
+struct ResolvedRequest {
+    PlanOptions options;  ///< with the edges that may be turned, ascending
+    Limits limits;        ///< of these edges and of the net
+};
+
+/// The edges that a request allows to turn, and all limits by edge and support.
+/// @param net as designed
+/// @param built as it stands, the same net with other lengths and loads: not checked
+/// @throws RequestError for a stroke or total stroke that is not positive, a turnbuckle that is
+///   beyond the total stroke already, strokes of an edge that is not adjustable or of none that may
+///   be turned, a group that the net does not have, a range of tensions whose lower end is negative
+///   or not below its upper, parts above 1 or without breaking loads, and a limit of reactions at a
+///   group without support
+/// @throws std::invalid_argument for added loads of a wrong size
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT ResolvedRequest resolve(const CableNet& net,
+                                                             const CableNet& built,
+                                                             const PlanRequest& request);
+
+/// A plan, the order of its work, and what it was made with.
+struct PlannedTurns {
+    PlanOptions options;  ///< as resolved
+    Limits limits;        ///< as resolved, without the plan's margins
+    Plan plan;            ///< strokes, and their results
+    TurnOrder order;      ///< of the plan's strokes
+    std::optional<std::vector<SuggestedEdge>> suggested_adjustable;  ///< where asked for
+    int crews = 1;                                                   ///< that `order` is for
+    std::optional<Thread> thread;  ///< of all turnbuckles; empty: as in the net
+};
+
+/// All of a plan: resolve(), plan_strokes(), order_turns() and, where asked for, suggested_edges().
+/// @param net as designed
+/// @param built the net as it stands
+/// @param target of the same net, which is not checked
+/// @throws what these throw, and RequestError for a negative suggest_adjustable
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT PlannedTurns plan_turns(const CableNet& net,
+                                                             const BuiltNet& built,
+                                                             const FormTarget& target,
+                                                             const PlanRequest& request = {},
+                                                             const Progress& progress = {});
+
+}  // namespace taut

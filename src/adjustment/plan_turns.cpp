@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/adjustment/plan_turns.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "statics/arguments.hpp"
+#include "taut/net/units.hpp"
+
+namespace taut {
+namespace {
+
+const std::vector<int>& edges_of_group(const CableNet& net, const std::string& group,
+                                       const char* field) {
+    const auto found = net.data().groups.find(group);
+    if (found == net.data().groups.end()) {
+        throw RequestError(field,
+                           fmt::format("names the group '{}', which the net does not have", group));
+    }
+    return found->second;
+}
+
+void check_stroke(const char* field, double stroke) {
+    if (!(stroke > 0.0) || std::isinf(stroke)) {
+        throw RequestError(field,
+                           fmt::format("is {}, expected more than 0", format_length(stroke)));
+    }
+}
+
+/// Narrows `edges` to those of the ranges, and gives their limits.
+Limits limits_of_ranges(const CableNet& net, std::vector<StrokeRange> ranges,
+                        std::vector<int>& edges) {
+    std::ranges::sort(ranges, {}, &StrokeRange::edge);
+    for (const StrokeRange& range : ranges) {
+        check_edges(net.edge_count(), std::array{range.edge});
+        if (!std::ranges::binary_search(edges, range.edge) &&
+            !std::ranges::binary_search(net.adjustable_edges(), range.edge)) {
+            throw RequestError("stroke", fmt::format("names edge '{}', which is not adjustable",
+                                                     net.edge_id(range.edge)));
+        }
+    }
+    std::erase_if(ranges, [&](const StrokeRange& range) {
+        return !std::ranges::binary_search(edges, range.edge);
+    });
+    if (ranges.empty()) {
+        throw RequestError("stroke", "leaves no edge that may be turned");
+    }
+    edges.clear();
+    Limits limits = limits_of_stroke(net, ranges.size(), 0.0);
+    for (size_t k = 0; k < ranges.size(); ++k) {
+        edges.push_back(ranges[k].edge);
+        limits.shortest_stroke(static_cast<Eigen::Index>(k)) = ranges[k].shortest;
+        limits.longest_stroke(static_cast<Eigen::Index>(k)) = ranges[k].longest;
+    }
+    return limits;
+}
+
+/// Narrows the strokes so that no edge ends further than `total` from its designed length.
+void limit_total_stroke(const CableNet& net, const CableNet& built, double total,
+                        const std::vector<int>& edges, Limits& limits) {
+    constexpr double rounding = 1e-9;
+    check_stroke("total_stroke", total);
+    for (size_t k = 0; k < edges.size(); ++k) {
+        const int edge = edges[k];
+        const double offset = built.unstressed_lengths()(edge) - net.unstressed_lengths()(edge);
+        if (std::abs(offset) > total * (1.0 + rounding)) {
+            throw RequestError(
+                "total_stroke",
+                fmt::format("is {}, but the turnbuckle of edge '{}' already is {:.2f} mm from its "
+                            "designed length",
+                            format_length(total), net.edge_id(edge), 1e3 * offset));
+        }
+        const auto at = static_cast<Eigen::Index>(k);
+        limits.shortest_stroke(at) =
+            std::max(limits.shortest_stroke(at), std::min(0.0, -total - offset));
+        limits.longest_stroke(at) =
+            std::min(limits.longest_stroke(at), std::max(0.0, total - offset));
+    }
+}
+
+std::string text_of(const TensionRange& range) {
+    const auto bound = [](const std::optional<TensionBound>& of) {
+        return !of           ? ""
+               : of->is_part ? fmt::format("{:g} %", 100.0 * of->value)
+                             : fmt::format("{:g} N", of->value);
+    };
+    return fmt::format("{}..{}", bound(range.least), bound(range.most));
+}
+
+void take_tension(const CableNet& net, const TensionRange& range, TensionLimits& limits) {
+    check_tension_range(range);
+    const bool has_part =
+        (range.least && range.least->is_part) || (range.most && range.most->is_part);
+    if (has_part && net.data().breaking_load.size() == 0) {
+        throw RequestError("tension",
+                           fmt::format("is {}, a part of the breaking load, but the net has no "
+                                       "breaking_load (in N)",
+                                       text_of(range)));
+    }
+    const auto force_of = [&](const TensionBound& bound, int edge) {
+        return bound.is_part ? bound.value * net.data().breaking_load(edge) : bound.value;
+    };
+    const auto take = [&](int edge) {
+        if (range.least) {
+            limits.lower(edge) = force_of(*range.least, edge);
+        }
+        if (range.most) {
+            limits.upper(edge) = force_of(*range.most, edge);
+        }
+    };
+    if (range.group) {
+        std::ranges::for_each(edges_of_group(net, *range.group, "tension"), take);
+        return;
+    }
+    for (int edge = 0; edge < net.edge_count(); ++edge) {
+        take(edge);
+    }
+}
+
+ReactionLimit limit_of(const CableNet& net, const ReactionBound& bound) {
+    if (!bound.group) {
+        return {.name = "all supports", .supports = net.supports(), .upper = bound.upper};
+    }
+    ReactionLimit limit{.name = *bound.group, .supports = {}, .upper = bound.upper};
+    for (const int edge : edges_of_group(net, *bound.group, "reaction")) {
+        for (const int node : net.edges()[edge]) {
+            if (net.free_index(node) < 0) {
+                limit.supports.push_back(node);
+            }
+        }
+    }
+    std::ranges::sort(limit.supports);
+    const auto doubled = std::ranges::unique(limit.supports);
+    limit.supports.erase(doubled.begin(), doubled.end());
+    if (limit.supports.empty()) {
+        throw RequestError(
+            "reaction",
+            fmt::format("is at the group '{}', but no edge of that is at a support", *bound.group));
+    }
+    return limit;
+}
+
+/// "total stroke" of "total_stroke".
+std::string in_words(std::string field) {
+    std::ranges::replace(field, '_', ' ');
+    return field;
+}
+
+}  // namespace
+
+RequestError::RequestError(const std::string& field, const std::string& problem)
+    : std::invalid_argument("the " + in_words(field) + " " + problem),
+      m_field(field),
+      m_problem(problem) {}
+
+void check_tension_range(const TensionRange& range) {
+    const TensionBound least = range.least.value_or(TensionBound{});
+    const TensionBound most =
+        range.most.value_or(TensionBound{.value = std::numeric_limits<double>::infinity()});
+    const bool is_comparable = least.is_part == most.is_part || std::isinf(most.value);
+    if (!(least.value >= 0.0) || !(most.value > 0.0) ||
+        (is_comparable && !(most.value > least.value))) {
+        throw RequestError("tension", fmt::format("is {}, expected a lower limit of 0 or more and "
+                                                  "an upper one above it",
+                                                  text_of(range)));
+    }
+    if ((least.is_part && least.value > 1.0) || (most.is_part && most.value > 1.0)) {
+        throw RequestError(
+            "tension",
+            fmt::format("is {}, expected no more than 100 % of the breaking load", text_of(range)));
+    }
+}
+
+ResolvedRequest resolve(const CableNet& net, const CableNet& built, const PlanRequest& request) {
+    ResolvedRequest result{.options = request.options, .limits = {}};
+    std::vector<int>& edges = result.options.edges;
+    if (edges.empty()) {
+        edges = net.adjustable_edges();
+    }
+    check_edges(net.edge_count(), edges);
+    std::ranges::sort(edges);
+    Limits& limits = result.limits;
+    if (request.stroke_ranges.empty()) {
+        check_stroke("stroke", request.stroke);
+        limits = limits_of_stroke(net, edges.size(), request.stroke);
+    } else {
+        limits = limits_of_ranges(net, request.stroke_ranges, edges);
+    }
+    if (request.total_stroke) {
+        limit_total_stroke(net, built, *request.total_stroke, edges, limits);
+    }
+    // Limits of all edges first, so that those of a group override them.
+    for (const bool is_of_group : {false, true}) {
+        for (const TensionRange& range : request.tension) {
+            if (range.group.has_value() == is_of_group) {
+                take_tension(net, range, limits.tension);
+            }
+        }
+    }
+    for (const ReactionBound& bound : request.reaction) {
+        limits.reactions.push_back(limit_of(net, bound));
+    }
+    for (const AddedLoads& added : request.load_cases) {
+        check_form(added.name.c_str(), net.node_count(), added.loads);
+        limits.load_cases.push_back(
+            {.name = added.name, .loads = built.loads() + added.loads, .tension = limits.tension});
+    }
+    return result;
+}
+
+PlannedTurns plan_turns(const CableNet& net, const BuiltNet& built, const FormTarget& target,
+                        const PlanRequest& request, const Progress& progress) {
+    if (request.suggest_adjustable < 0) {
+        throw RequestError("suggest_adjustable",
+                           fmt::format("is {}, expected 0 or more", request.suggest_adjustable));
+    }
+    auto [options, limits] = resolve(net, built.net, request);
+    PlannedTurns turns{.options = std::move(options),
+                       .limits = std::move(limits),
+                       .plan = {},
+                       .order = {},
+                       .suggested_adjustable = {},
+                       .crews = request.crews,
+                       .thread = request.thread};
+    turns.plan = plan_strokes(built, target, turns.limits, turns.options, progress);
+    turns.order = order_turns(built, turns.limits, turns.plan,
+                              {.crews = request.crews,
+                               .turn_step = turns.options.turn ? turns.options.turn->step() : 0.0,
+                               .confidence = turns.options.confidence,
+                               .actuator_std = turns.options.actuator_std,
+                               .seed = turns.options.seed},
+                              progress);
+    if (request.suggest_adjustable > 0) {
+        turns.suggested_adjustable =
+            suggested_edges(built, target, turns.limits, turns.options, turns.plan,
+                            request.suggest_adjustable, progress);
+    }
+    return turns;
+}
+
+}  // namespace taut
