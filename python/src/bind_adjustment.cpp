@@ -218,12 +218,13 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
                 const std::optional<ForceLike>& reaction,
                 const std::optional<ArraysByName>& load_cases, const std::string& target_unit,
                 const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
-                const std::string& objective, const nb::object& progress) {
+                const std::string& objective, std::uint64_t seed, const nb::object& progress) {
     const CableNet& net = identified.net;
     PlanRequest request{.options = {.confidence = confidence,
                                     .actuator_std = actuator_std,
                                     .tolerance = tolerance,
                                     .survey_noise = suggest_targets,
+                                    .seed = seed,
                                     .accept_failed = accept_failed},
                         .stroke = stroke,
                         .total_stroke = total_stroke,
@@ -422,16 +423,17 @@ void bind_plan(nb::module_& module) {
 void bind_adjustment(nb::module_& module) {
     bind_plan(module);
     module.def("plan", &planned, nb::arg("identification"), nb::arg("target") = nb::none(),
-               nb::kw_only(), nb::arg("stroke") = 0.02, nb::arg("tension") = nb::none(),
-               nb::arg("edges") = nb::none(), nb::arg("turn") = nb::none(),
-               nb::arg("step") = nb::none(), nb::arg("tolerance") = nb::none(),
-               nb::arg("confidence") = 0.95, nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1,
-               nb::arg("thread") = nb::none(), nb::arg("suggest_adjustable") = 0,
-               nb::arg("suggest_targets") = nb::none(), nb::arg("accept_failed") = false,
-               nb::arg("total_stroke") = nb::none(), nb::arg("tension_part") = nb::none(),
-               nb::arg("reaction") = nb::none(), nb::arg("load_cases") = nb::none(),
-               nb::arg("target_unit") = "m", nb::arg("weights") = nb::none(),
-               nb::arg("objective") = "rms", nb::arg("progress") = nb::none(),
+               nb::kw_only(), nb::arg("stroke") = PlanRequest().stroke,
+               nb::arg("tension") = nb::none(), nb::arg("edges") = nb::none(),
+               nb::arg("turn") = nb::none(), nb::arg("step") = nb::none(),
+               nb::arg("tolerance") = nb::none(), nb::arg("confidence") = 0.95,
+               nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1, nb::arg("thread") = nb::none(),
+               nb::arg("suggest_adjustable") = 0, nb::arg("suggest_targets") = nb::none(),
+               nb::arg("accept_failed") = false, nb::arg("total_stroke") = nb::none(),
+               nb::arg("tension_part") = nb::none(), nb::arg("reaction") = nb::none(),
+               nb::arg("load_cases") = nb::none(), nb::arg("target_unit") = "m",
+               nb::arg("weights") = nb::none(), nb::arg("objective") = "rms",
+               nb::arg("seed") = PlanOptions().seed, nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
 Args:
@@ -465,6 +467,7 @@ Args:
     weights: of the squared deviations along the target's normal and across it, one number of all
         nodes or (n,) each, by default (1, 0.1).
     objective: what is minimised, 'rms' of the deviations or the 'largest'.
+    seed: of the random errors of the strokes.
     progress: called with stage, done, total.)");
 }
 
