@@ -45,7 +45,8 @@ std::optional<std::decay_t<V>> when(bool is_there, const V& value) {
 template <class T>
 class Description;
 
-/// Whether a described struct is read again.
+/// Whether a described struct is read again; the others need no readers, which take time to
+/// compile.
 template <class T>
 inline constexpr bool is_read = false;
 
@@ -262,6 +263,7 @@ public:
         return object;
     }
     void read(const JsonValue& json, T& value) const {
+        static_assert(is_read<T>, "say that it is read, beside its describe()");
         for (const Field& field : m_fields) {
             const auto member = field.read ? json.find(field.key) : std::nullopt;
             if (member) {
