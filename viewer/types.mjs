@@ -6,12 +6,12 @@
 
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { compile } from "json-schema-to-typescript";
+import { schema } from "./schema.mjs";
 
 const target = new URL("src/result_schema.ts", import.meta.url);
-const schema = JSON.parse(readFileSync(new URL("../src/results/result.schema.json", import.meta.url), "utf8"));
 const types = await compile(schema, "Result", {
   additionalProperties: false,
-  bannerComment: "// SPDX-FileCopyrightText: 2026 The taut authors\n// SPDX-License-Identifier: MIT\n//\n// Made by types.mjs from src/results/result.schema.json, and not committed.",
+  bannerComment: "// SPDX-FileCopyrightText: 2026 The taut authors\n// SPDX-License-Identifier: MIT\n//\n// Made by types.mjs from the schema of saved results, and not committed.",
   style: { printWidth: 120 },
 });
 // A file that stays the same keeps its time, so that nothing is built again for it.

@@ -7,82 +7,85 @@
 #include <vector>
 
 #include "files/csv_field.hpp"
+#include "results/document_parts.hpp"
 #include "results/result_parts.hpp"
-#include "taut/version.hpp"
 
 namespace taut {
 namespace {
 
-ResultJson row_json(const ComparisonRow& row) {
-    const MethodResult& result = row.result;
-    const bool any = result.identified() > 0;
-    const auto number = [](bool is_there, double value) {
-        return is_there ? ResultJson(value) : ResultJson();
-    };
-    const auto best = row.best_possible.value_or(CramerRaoBound{});
-    const bool has_best = row.best_possible.has_value();
-    return {{"method", result.name},
-            {"noise", row.kind.noise_std},
-            {"hidden_fraction", row.kind.hidden_part},
-            {"training_samples", or_null(row.training_samples)},
-            {"surveys", result.surveys},
-            {"failed", result.failed},
-            {"first_failure", result.failed > 0 ? ResultJson(result.first_failure) : ResultJson()},
-            {"mse", number(any, result.errors.mse)},
-            {"best_possible_mse", number(has_best, best.mse)},
-            {"mse_of_taut_edges", number(any, result.mse_of_taut)},
-            {"best_possible_mse_of_taut_edges", number(has_best, best.mse_of_taut)},
-            {"mrse", number(any, result.errors.mrse)},
-            {"form_error", number(any && result.forms_not_converged < result.identified(),
-                                  result.form_error.mean)},
-            {"forms_not_converged", result.forms_not_converged},
-            {"coverage", number(any, result.coverage)},
-            {"training_seconds", number(row.training_samples.has_value(), result.training_seconds)},
-            {"seconds", number(any, result.seconds)},
-            {"model_errors", to_string(row.model_errors)},
-            {"epochs", row.epochs},
-            {"turned", row.is_turned}};
+/// A number of the lengths, where some were identified.
+std::optional<double> of_lengths(const ComparisonRow& row, double number) {
+    return when(row.result.identified() > 0, number);
 }
 
-ResultJson rows_json(const std::vector<ComparisonRow>& all) {
-    ResultJson rows = ResultJson::array();
-    for (const ComparisonRow& row : all) {
-        rows.push_back(row_json(row));
-    }
-    return rows;
+/// The best possible by any method, where it is known.
+auto best(double CramerRaoBound::* number) {
+    return [number](const ComparisonRow& row) {
+        return row.best_possible ? std::optional(*row.best_possible.*number) : std::nullopt;
+    };
 }
 
 }  // namespace
 
+Description<ComparisonRow> describe(const ComparisonRow* /*type*/) {
+    return Description<ComparisonRow>("comparison_row",
+                                      "One method at one noise, training size and part of hidden "
+                                      "nodes. Values that the method does not have are null.")
+        .key("method", TAUT_VALUE(it.result.name))
+        .key("noise", TAUT_VALUE(it.kind.noise_std), size, "Std of a surveyed coordinate [m].")
+        .newer("hidden_fraction", TAUT_VALUE(std::optional(it.kind.hidden_part)), part)
+        .newer("training_samples", &ComparisonRow::training_samples)
+        .newer("surveys", TAUT_VALUE(std::optional(it.result.surveys)))
+        .newer("failed", TAUT_VALUE(std::optional(it.result.failed)))
+        .newer("first_failure", TAUT_VALUE(when(it.result.failed > 0, it.result.first_failure)))
+        .newer("mse", TAUT_VALUE(of_lengths(it, it.result.errors.mse)), size)
+        .newer("best_possible_mse", best(&CramerRaoBound::mse), size)
+        .newer("mse_of_taut_edges", TAUT_VALUE(of_lengths(it, it.result.mse_of_taut)), size)
+        .newer("best_possible_mse_of_taut_edges", best(&CramerRaoBound::mse_of_taut), size)
+        .newer("mrse", TAUT_VALUE(of_lengths(it, it.result.errors.mrse)), size)
+        .newer("form_error",
+               TAUT_VALUE(when(it.result.forms_not_converged < it.result.identified(),
+                               it.result.form_error.mean)),
+               size)
+        .newer("forms_not_converged", TAUT_VALUE(std::optional(it.result.forms_not_converged)))
+        .newer("coverage", TAUT_VALUE(of_lengths(it, it.result.coverage)), part)
+        .newer("training_seconds",
+               TAUT_VALUE(when(it.training_samples.has_value(), it.result.training_seconds)), size)
+        .newer("seconds", TAUT_VALUE(of_lengths(it, it.result.seconds)), size)
+        .newer("model_errors", &ComparisonRow::model_errors,
+               "Whether the surveyed nets differ from the design in more than lengths, and whether "
+               "that uncertainty was given to the method.")
+        .newer("epochs", &ComparisonRow::epochs,
+               Rule(ResultJson{{"type", "integer"}, {"minimum", 1}}),
+               "Surveys of each net used at once.")
+        .newer("turned", &ComparisonRow::is_turned, "Whether edges were turned between.");
+}
+
+Description<Comparison> describe(const Comparison* /*type*/) {
+    using All = Comparison;
+    auto result = document<All>("comparison", "Result of taut compare.");
+    result.key("net", &All::net)
+        .newer("prior", TAUT_VALUE(it.settings.prior))
+        .newer("seed", TAUT_VALUE(it.settings.seed))
+        .newer("common_noise", TAUT_VALUE(it.settings.common_noise()), size)
+        .newer("common_training_samples", TAUT_VALUE(std::optional(it.settings.common_training())))
+        .newer_object("samples", Description<All>()
+                                     .key("total", &All::samples)
+                                     .key("not_converged", &All::not_converged)
+                                     .key("surveyed", &All::surveys)
+                                     .key("surveyed_with_slack", &All::surveys_with_slack))
+        .newer_object("seconds", seconds_of<All>());
+    return add_run(result)
+        .newer("uncertain", TAUT_VALUE(it.settings.uncertain),
+               R"(Besides the lengths: ["supports:1mm"].)")
+        .key("rows", &All::rows, Rule::list_of(description_of<ComparisonRow>().rule()).not_empty())
+        .newer("model_error_rows", &All::model_error_rows,
+               "On nets that differ from the design in these.")
+        .newer("epoch_rows", &All::epoch_rows, "With several surveys of each net at once.");
+}
+
 std::string comparison_to_json(const Comparison& comparison, const RunRecord& run) {
-    const ComparisonSettings& settings = comparison.settings;
-    ResultJson document{{"format", "taut-comparison"},
-                        {"version", 2},
-                        {"program", "taut " + std::string(version())},
-                        {"net", counts_json(comparison.net)},
-                        {"prior", settings.prior.to_string()},
-                        {"seed", settings.seed},
-                        {"common_noise", settings.common_noise()},
-                        {"common_training_samples", settings.common_training()},
-                        {"samples",
-                         {{"total", comparison.samples},
-                          {"not_converged", comparison.not_converged},
-                          {"surveyed", comparison.surveys},
-                          {"surveyed_with_slack", comparison.surveys_with_slack}}},
-                        {"seconds",
-                         {{"sampling", comparison.seconds.sampling},
-                          {"training", comparison.seconds.training},
-                          {"identification", comparison.seconds.identification},
-                          {"total", comparison.seconds.total}}}};
-    add_run(document, run);
-    document["uncertain"] = ResultJson::array();
-    for (const UncertainParameter& parameter : settings.uncertain) {
-        document["uncertain"].push_back(parameter.to_string());
-    }
-    document["rows"] = rows_json(comparison.rows);
-    document["model_error_rows"] = rows_json(comparison.model_error_rows);
-    document["epoch_rows"] = rows_json(comparison.epoch_rows);
-    return to_text(document);
+    return to_text(json_of(comparison, {.net = &comparison.net, .run = &run}));
 }
 
 std::string comparison_to_csv(const Comparison& comparison) {
@@ -90,7 +93,7 @@ std::string comparison_to_csv(const Comparison& comparison) {
     std::vector<ComparisonRow> all = comparison.rows;
     std::ranges::copy(comparison.model_error_rows, std::back_inserter(all));
     std::ranges::copy(comparison.epoch_rows, std::back_inserter(all));
-    for (const ResultJson& row : rows_json(all)) {
+    for (const ResultJson& row : json_of(all, {.net = &comparison.net})) {
         const auto add = [&](const auto& text) {
             const char* separator = "";
             for (const auto& [key, value] : row.items()) {

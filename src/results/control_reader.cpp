@@ -1,57 +1,58 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "results/control_reader.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "files/message.hpp"
+#include "results/document_parts.hpp"
+#include "results/result_readers.hpp"
 #include "results/result_values.hpp"
 
 namespace taut {
 namespace {
 
-void require_value(const JsonValue& parent, const char* key, int expected, const char* order) {
-    const JsonValue value = member(parent, key);
-    if (value.integer() != expected) {
-        value.fail(fmt::format("is {}, expected {}: {}", value.integer(), expected, order));
+void require_value(const JsonValue& parent, const char* key, int value, int expected,
+                   const char* order) {
+    if (value != expected) {
+        member(parent, key).fail(fmt::format("is {}, expected {}: {}", value, expected, order));
     }
 }
 
-int read_trials_of(const JsonValue& round, const char* key, int trials) {
-    const JsonValue value = member(round, key);
-    if (value.integer() > trials) {
-        value.fail(fmt::format("is {}, expected at most the {} trials", value.integer(), trials));
+void require_trials(const JsonValue& round, const char* key, int value, int trials) {
+    if (value > trials) {
+        member(round, key)
+            .fail(fmt::format("is {}, expected at most the {} trials", value, trials));
     }
-    return value.integer();
 }
 
 /// @param last round
 ControlResult::Strategy read_strategy(const JsonValue& value, int last, int trials) {
-    ControlResult::Strategy strategy{.name = member(value, "strategy").text(), .rounds = {}};
+    const auto saved = read<ControlDocument::Strategy>(value);
+    ControlResult::Strategy strategy{.name = std::string(to_string(saved.strategy)), .rounds = {}};
     const JsonValue rounds = member(value, "rounds");
     const size_t count = static_cast<size_t>(last) + 1;
     rounds.require_array(count, fmt::format("one for each round from 0 to {}", last));
-    for (int round = 0; round <= last; ++round) {
-        const JsonValue after = rounds.at(round);
-        require_value(after, "round", round, "rounds in their order");
-        strategy.rounds.push_back({.normal_rmse = member(after, "normal_rmse").number(),
+    for (size_t i = 0; i < count; ++i) {
+        const auto& [round, means] = saved.rounds[i];
+        require_value(rounds.at(i), "round", round, static_cast<int>(i), "rounds in their order");
+        require_trials(rounds.at(i), "broken_trials", means.broken_trials, trials);
+        require_trials(rounds.at(i), "failed", means.failed, trials);
+        strategy.rounds.push_back({.normal_rmse = means.normal_rmse,
                                    .normal_rmse_of_trials = {},
-                                   .broken_trials = read_trials_of(after, "broken_trials", trials),
-                                   .turned = member(after, "turned").number(),
-                                   .failed = read_trials_of(after, "failed", trials)});
+                                   .broken_trials = means.broken_trials,
+                                   .turned = means.turned,
+                                   .failed = means.failed});
     }
     const JsonValue states = member(value, "states");
     const size_t all = count * static_cast<size_t>(trials);
     states.require_array(all, fmt::format("one for each trial and round: {}", all));
     for (size_t i = 0; i < all; ++i) {
-        const JsonValue state = states.at(i);
-        const size_t round = i % count;
-        require_value(state, "trial", static_cast<int>(i / count), "by trial, then round");
-        require_value(state, "round", static_cast<int>(round), "by trial, then round");
-        strategy.rounds[round].normal_rmse_of_trials.push_back(
-            member(state, "normal_rmse").number());
+        const ControlState& state = saved.states[i];
+        constexpr const char* order = "by trial, then round";
+        require_value(states.at(i), "trial", state.trial, static_cast<int>(i / count), order);
+        require_value(states.at(i), "round", state.round, static_cast<int>(i % count), order);
+        strategy.rounds[i % count].normal_rmse_of_trials.push_back(state.deviation.normal_rmse);
     }
     return strategy;
 }

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "results/identification_reader.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,31 +9,16 @@
 #include <stdexcept>
 
 #include "files/message.hpp"
+#include "results/identification_parts.hpp"
 #include "results/result_checks.hpp"
+#include "results/result_readers.hpp"
 #include "results/result_values.hpp"
 
 namespace taut {
 namespace {
 
-EdgeStatus read_status(const std::string& name) {
-    using enum EdgeStatus;
-    for (const EdgeStatus status : {weakly_determined, not_determined, slack}) {
-        if (name == to_string(status)) {
-            return status;
-        }
-    }
-    return name == "unobserved" ? not_determined : determined;  // words of 0.2.0
-}
-
 IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
-    const auto number = [&value](const char* key) { return member(value, key).number(); };
-    const IdentifiedEdge edge{.edge = member(value, "edge").integer(),
-                              .nominal = number("nominal"),
-                              .length_deviation = number("length_deviation"),
-                              .std = number("std"),
-                              .lower = number("lower"),
-                              .upper = number("upper"),
-                              .status = read_status(member(value, "status").text())};
+    const auto edge = read<IdentifiedEdge>(value);
     if (!std::ranges::binary_search(net.interior_edges(), edge.edge)) {
         member(value, "edge")
             .fail(fmt::format("is {}, expected an interior edge of the net", edge.edge));
@@ -130,46 +113,36 @@ std::vector<IdentifiedEdge> read_edges(const JsonValue& root, const CableNet& ne
     return edges;
 }
 
-Eigen::Vector3d read_vector(const JsonValue& value) {
-    return {value.at(0).number(), value.at(1).number(), value.at(2).number()};
-}
+using Residual = IdentificationResult::Residual;
 
-std::vector<IdentificationResult::Residual> read_residuals(const JsonValue& survey,
-                                                           const CableNet& net) {
+std::vector<Residual> read_residuals(const JsonValue& survey) {
     std::set<int> left_out;
     for (const JsonValue& outlier : entries(survey, "outliers")) {
-        left_out.insert(read_node(member(outlier, "node"), net));
+        left_out.insert(member(outlier, "node").integer());
     }
-    std::vector<IdentificationResult::Residual> residuals;
+    std::vector<Residual> residuals;
     std::set<int> seen;
     for (const JsonValue& entry : entries(survey, "residuals")) {
-        const auto number = [&entry](const char* key) { return member(entry, key).number(); };
-        const int node = read_node(member(entry, "node"), net);
+        residuals.push_back(read<Residual>(entry));
+        const int node = residuals.back().node;
+        residuals.back().is_in_use = !left_out.contains(node);
         if (!seen.insert(node).second) {
             entry.fail(fmt::format("is of the node {} again, expected each once", node));
-        }
-        residuals.push_back({.node = node,
-                             .surveyed_less_predicted = {number("dx"), number("dy"), number("dz")},
-                             .is_in_use = !left_out.contains(node)});
-        if (const auto standardised = find_unless_null(entry, "standardised")) {
-            residuals.back().standardised = read_vector(*standardised);
         }
     }
     return residuals;
 }
 
 ParameterEstimate read_uncertain_parameter(const JsonValue& value, const CableNet& net) {
-    ParameterEstimate estimate{.mean = member(value, "mean").number(),
-                               .std = member(value, "std").number()};
-    const JsonValue given = member(value, "given");
+    auto estimate = read<ParameterEstimate>(value);
     try {
-        estimate.parameter = parse_uncertain_parameter(given.text());
         check_uncertain_parameters(net, {estimate.parameter});
     } catch (const std::invalid_argument& error) {
-        given.fail(error.what());
+        member(value, "given").fail(error.what());
     }
-    const auto prior_std = value.find("prior_std");
-    estimate.prior_std = prior_std ? prior_std->number() : estimate.parameter.std;
+    if (!value.find("prior_std")) {
+        estimate.prior_std = estimate.parameter.std;
+    }
     const UncertainParameter::Kind kind = estimate.parameter.kind;
     if (kind == UncertainParameter::Kind::stiffness_each ||
         kind == UncertainParameter::Kind::adjustable) {
@@ -185,15 +158,7 @@ ParameterEstimate read_uncertain_parameter(const JsonValue& value, const CableNe
 }
 
 std::vector<EdgeTurned> read_turned(const JsonValue& root, const CableNet& net) {
-    std::vector<EdgeTurned> result;
-    if (!root.find("turned")) {
-        return result;
-    }
-    for (const JsonValue& entry : entries(root, "turned")) {
-        result.push_back({.edge = static_cast<int>(member(entry, "edge").integer()),
-                          .stroke = member(entry, "stroke").number(),
-                          .std = member(entry, "std").number()});
-    }
+    const auto result = read_or_default<std::vector<EdgeTurned>>(root, "turned");
     try {
         check_turned(net, result);
     } catch (const std::invalid_argument& error) {
@@ -230,38 +195,6 @@ std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableN
     return result;
 }
 
-Trust::Verdict read_verdict(const JsonValue& value) {
-    using enum Trust::Verdict;
-    const std::string& name = value.text();
-    return name == to_string(failed) ? failed : name == to_string(doubtful) ? doubtful : passed;
-}
-
-std::vector<std::string> read_texts(const JsonValue& value, const char* key) {
-    std::vector<std::string> texts;
-    for (const JsonValue& entry : entries(value, key)) {
-        texts.push_back(entry.text());
-    }
-    return texts;
-}
-
-Trust::Finding read_finding(const JsonValue& entry) {
-    Trust::Finding finding{
-        .kind = finding_kind(member(entry, "kind").text()).value_or(Trust::Finding::Kind::other),
-        .severity = read_verdict(member(entry, "severity")),
-        .ids = read_texts(entry, "ids"),
-        .value = optional_number(entry, "value"),
-        .std = optional_number(entry, "std"),
-        .confounded_with = read_texts(entry, "confounded_with"),
-        .remedy = {},
-        .reason = member(entry, "reason").text(),
-        .next = member(entry, "next").text()};
-    if (const auto remedy = find_unless_null(entry, "remedy")) {
-        finding.remedy = Trust::Remedy{.parameter = member(*remedy, "parameter").text(),
-                                       .value = member(*remedy, "value").text()};
-    }
-    return finding;
-}
-
 Trust read_trust(const JsonValue& root) {
     Trust trust;
     const auto given = root.find("trust");
@@ -273,12 +206,11 @@ Trust read_trust(const JsonValue& root) {
         return trust;
     }
     if (root.find("findings")) {
-        std::ranges::transform(entries(root, "findings"), std::back_inserter(trust.findings),
-                               read_finding);
+        trust.findings = read_or_default<std::vector<Trust::Finding>>(root, "findings");
     } else if (given->find("reasons")) {  // of a version before 0.3
-        for (const std::string& reason : read_texts(*given, "reasons")) {
+        for (const auto& reason : read_or_default<std::vector<std::string>>(*given, "reasons")) {
             trust.findings.push_back({.kind = Trust::Finding::Kind::other,
-                                      .severity = read_verdict(member(*given, "verdict")),
+                                      .severity = read<Trust::Verdict>(member(*given, "verdict")),
                                       .reason = reason + ".",
                                       .next = {}});
         }
@@ -300,12 +232,8 @@ Points support_places(const JsonValue& root, const IdentificationResult& result)
             places.col(outlier.index) += outlier.deviation;
         }
     }
-    if (const auto offset = find_unless_null(root, "frame_offset")) {
-        FrameOffset frame;
-        frame.about = read_vector(member(*offset, "about"));
-        frame.translation = read_vector(member(*offset, "translation"));
-        frame.rotation = read_vector(member(*offset, "rotation"));
-        places += frame.motion_of(net.nodes());
+    if (const auto offset = read_or_default<std::optional<FrameOffset>>(root, "frame_offset")) {
+        places += offset->motion_of(net.nodes());
     }
     return places;
 }
@@ -380,7 +308,7 @@ IdentificationResult read_identification(const JsonValue& root) {
     for (const JsonValue& node : entries(survey, "missing_nodes")) {
         static_cast<void>(read_node(node, result.net));
     }
-    result.residuals = read_residuals(survey, result.net);
+    result.residuals = read_residuals(survey);
     return result;
 }
 

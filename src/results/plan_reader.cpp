@@ -1,29 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "results/plan_reader.hpp"
-
 #include <fmt/core.h>
 
 #include <set>
 
+#include "results/document_parts.hpp"
 #include "results/result_checks.hpp"
+#include "results/result_readers.hpp"
 #include "results/result_values.hpp"
 
 namespace taut {
 namespace {
 
 PlanResult::Tension read_tension(const JsonValue& value, int edge) {
-    const JsonValue index = member(value, "edge");
-    if (index.integer() != edge) {
-        index.fail(
-            fmt::format("is {}, expected {}: all edges in their order", index.integer(), edge));
+    const auto tension = read<PlanResult::Tension>(value);
+    if (tension.edge != edge) {
+        member(value, "edge")
+            .fail(fmt::format("is {}, expected {}: all edges in their order", tension.edge, edge));
     }
-    const PlanResult::Tension tension{.as_built = member(value, "as_built").number(),
-                                      .planned = member(value, "planned").number(),
-                                      .lower = optional_number(value, "lower"),
-                                      .upper = optional_number(value, "upper"),
-                                      .limit_lower = member(value, "limit_lower").number(),
-                                      .limit_upper = optional_number(value, "limit_upper")};
     if (tension.lower.has_value() != tension.upper.has_value()) {
         value.fail("has one end of the interval of tension, expected both or none");
     }

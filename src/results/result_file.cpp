@@ -8,11 +8,9 @@
 
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
-#include "results/control_reader.hpp"
-#include "results/identification_reader.hpp"
 #include "results/older_results.hpp"
-#include "results/plan_reader.hpp"
 #include "results/result_checks.hpp"
+#include "results/result_readers.hpp"
 #include "results/result_values.hpp"
 #include "results/schema_check.hpp"
 #include "taut/files/file.hpp"
@@ -123,24 +121,21 @@ ResultFile read_root(const JsonValue& root) {
         version.fail(fmt::format("is {}, expected 1 to {}, which this taut knows",
                                  version.integer(), known_version));
     }
+    const std::string kind = name.substr(std::string("taut-").size());
+    check_against_schema(root, kind);
     const auto content = [&]() -> decltype(ResultFile::content) {
-        if (name == "taut-study") {
-            check_against_schema(root, "study");
+        if (kind == "study") {
             return read_study(root);
         }
-        if (name == "taut-identification") {
-            check_against_schema(root, "identification");
+        if (kind == "identification") {
             return read_identification(root);
         }
-        if (name == "taut-plan") {
-            check_against_schema(root, "plan");
+        if (kind == "plan") {
             return read_plan(root);
         }
-        if (name == "taut-control") {
-            check_against_schema(root, "control");
+        if (kind == "control") {
             return read_control(root);
         }
-        check_against_schema(root, "comparison");
         return read_comparison(root);
     }();
     return {.content = content, .json = root.json().dump()};

@@ -44,33 +44,49 @@ void write(std::string& text, const ResultJson& value, const std::string& indent
 
 }  // namespace
 
-ResultJson counts_json(const CableNet& net) {
-    return {{"name", net.name()},
-            {"free_nodes", net.free_node_count()},
-            {"supports", net.supports().size()},
-            {"interior_edges", net.interior_edge_count()},
-            {"adjustable_edges", net.adjustable_edges().size()},
-            {"fingerprint", net.fingerprint()}};
-}
-
-void add_run(ResultJson& document, const RunRecord& run) {
-    for (const auto& [key, text] : {std::pair{"date", run.date}, {"command", run.command}}) {
-        if (!text.empty()) {
-            document[key] = text;
-        }
-    }
+Description<CableNet> describe(const CableNet* /*type*/) {
+    return Description<CableNet>("counts")
+        .newer("name", &CableNet::name)
+        .newer("free_nodes", &CableNet::free_node_count)
+        .newer("supports", TAUT_VALUE(it.supports().size()), Rule::count())
+        .newer("interior_edges", &CableNet::interior_edge_count)
+        .newer("adjustable_edges", TAUT_VALUE(it.adjustable_edges().size()), Rule::count())
+        .newer("fingerprint", &CableNet::fingerprint);
 }
 
 ResultJson net_json(const CableNet& net) {
     return ResultJson::parse(net_to_json(net));
 }
 
-ResultJson trust_json(const Trust& trust) {
-    ResultJson reasons = ResultJson::array();
-    for (const Trust::Finding& finding : trust.findings) {
-        reasons.push_back(finding.reason);
-    }
-    return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}};
+Rule net_rule() {
+    const Rule points = Rule::list_of(Rule::point());
+    const Rule indices = Rule::list_of(Rule::count());
+    const Rule numbers = Rule::list_of(Rule::number());
+    const Rule texts = Rule::list_of(Rule::text());
+    ObjectRule net("net_file", "A net in taut's own format; its reader checks it further.");
+    net.add("format", Rule::only("taut-net"), true);
+    net.add("version", Rule::only(1), true);
+    net.add("name", Rule::text(), false);
+    net.add("nodes", points, true);
+    net.add("supports", indices, true);
+    net.add("edges", Rule::list_of(Rule::list_of(Rule::count(), 2)), true);
+    net.add("axial_stiffness", Rule::any_of(Rule::number(), numbers), true);
+    net.add("unstressed_lengths", numbers, true);
+    net.add("adjustable", indices, true);
+    net.add("loads", points, false);
+    net.add("node_ids", texts, false);
+    net.add("edge_ids", texts, false);
+    return net.rule();
+}
+
+std::vector<std::string> reasons_of(const Trust& trust) {
+    std::vector<std::string> reasons;
+    std::ranges::transform(trust.findings, std::back_inserter(reasons), &Trust::Finding::reason);
+    return reasons;
+}
+
+std::optional<std::string> unless_empty(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(text);
 }
 
 ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits) {

@@ -9,6 +9,8 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "taut/results/result_file.hpp"
+
 // No other source includes valijson: it takes seconds to compile.
 
 namespace taut {

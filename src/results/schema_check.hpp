@@ -3,14 +3,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "files/json_value.hpp"
 
 namespace taut {
-
-/// result.schema.json: the JSON Schema of all saved results.
-[[nodiscard]] std::string_view result_schema();
 
 /// Checks a value against a definition of the schema, with the keywords that the schema uses.
 /// @param definition "study", "identification", "comparison", "plan" or "control"

@@ -9,6 +9,7 @@ that names file and place.
 import copy
 import dataclasses
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -25,7 +26,8 @@ from hypothesis_jsonschema import from_schema
 
 ROOT = Path(__file__).parents[2]
 FULL = ROOT / "tests/data/results"
-SCHEMA = json.loads((ROOT / "src/results/result.schema.json").read_text())
+BUILT = ROOT / "build/release/result.schema.json"
+SCHEMA = json.loads(Path(os.environ.get("TAUT_RESULT_SCHEMA", BUILT)).read_text())
 KINDS = ("identification", "plan", "study", "comparison", "control")
 
 

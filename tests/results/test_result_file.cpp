@@ -10,7 +10,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "results/schema_check.hpp"
 #include "support/errors.hpp"
 #include "support/studies.hpp"
 #include "taut/design/builtin_nets.hpp"

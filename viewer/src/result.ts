@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import type { ControlResidual, Findings, Identification, IdentifiedEdge, Method, Result, Study } from "./result_schema";
+import type { ControlResidual, Identification, IdentifiedEdge, Method, Result, Study } from "./result_schema";
 
 // The results as taut writes them (docs/files.md), in SI units. taut has checked them before it
 // made the page.
 export type {
-  Assumption, Comparison, ComparisonRow, Control, ControlResidual, ControlRound, ControlStrategy, Counts, Detectable, FormDeviation, FormErrorSummary,
+  Assumption, Comparison, ComparisonRow, Control, ControlResidual, ControlRound, ControlStrategy, Counts, Detectable, Finding, FormDeviation, FormErrorSummary,
   Identification, IdentifiedEdge, LimitBreach, Method, NetFile, Outlier, Plan, PlannedTension, Result, Study, Turn,
 } from "./result_schema";
-
-export type Finding = Findings[number];
 
 /** The methods of a study, first the one that gave its lengths and forms. */
 export function methodsOf(study: Study): [string, Method][] {

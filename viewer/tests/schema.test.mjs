@@ -8,12 +8,12 @@
 // of them, another one from key to key.
 
 import assert from "node:assert/strict";
-import { readFileSync, rmSync } from "node:fs";
+import { rmSync } from "node:fs";
 import { after, before, test } from "node:test";
 import Ajv from "ajv";
+import { schema } from "../schema.mjs";
 import { folder, makeReports, refusalOf, write } from "./results.mjs";
 
-const schema = JSON.parse(readFileSync(new URL("../../src/results/result.schema.json", import.meta.url), "utf8"));
 const ajv = new Ajv({ allErrors: true, allowUnionTypes: true });
 const validators = Object.fromEntries(["study", "identification", "comparison", "plan", "control"].map((name) =>
   [`taut-${name}`, ajv.compile({ ...schema, oneOf: undefined, $ref: `#/definitions/${name}` })]));

@@ -79,6 +79,7 @@ struct PlanResult {
     Points target_normals;  ///< 0 at nodes without normal
     /// Of one edge.
     struct Tension {
+        int edge = 0;                       ///< index in the net
         double as_built = 0.0;              ///< before turning, of the estimate [N]
         double planned = 0.0;               ///< after turning, of the estimate [N]
         std::optional<double> lower;        ///< 95 % interval; empty without samples
@@ -108,6 +109,9 @@ struct ControlResult {
     std::vector<Strategy> strategies;  ///< in the order of the file
 };
 
+/// The JSON Schema of all saved results, as `share/taut/result.schema.json` holds it.
+[[nodiscard]] TAUT_IO_EXPORT const std::string& result_schema();
+
 /// A saved result of `taut reproduce`, `identify`, `compare`, `plan` or `control`.
 struct ResultFile {
     std::variant<StudyResult, IdentificationResult, ComparisonResult, PlanResult, ControlResult>
@@ -116,9 +120,9 @@ struct ResultFile {
 };
 
 /// Reads a result in one of the formats "taut-study", "taut-identification", "taut-comparison",
-/// "taut-plan" and "taut-control", version 1 or 2. It must follow their schema (result.schema.json,
-/// installed beside the library) and the rules that a schema cannot express: sizes and indices of
-/// the net, one entry per interior edge, one state per trial and round.
+/// "taut-plan" and "taut-control", version 1 or 2. It must follow result_schema() and the rules
+/// that a schema cannot express: sizes and indices of the net, one entry per interior edge, one
+/// state per trial and round.
 /// @param file_name for messages
 /// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
 ///   missing, of another type or size, or breaks a rule

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Makes the results beside this script, in which every key of result.schema.json has a value.
+"""Makes the results beside this script, in which every key of their schema has a value.
 
 The program writes them for a small net; values that do not occur there are filled in here. Add a new
 key to one of the functions below, then run: make_full_results.py PROGRAM

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Writes the schema of saved results: taut_print_schema FILE
+
+#include "taut/files/file.hpp"
+#include "taut/results/result_file.hpp"
+
+int main(int /*argc*/, char** argv) {
+    taut::write_file(argv[1], taut::result_schema());
+}
