@@ -11,7 +11,7 @@ namespace taut {
 
 /// Whether a survey fits better if it is moved or scaled as a whole, docs/theory.md (frame-check).
 /// @param statics linearised and inverted at the fit
-/// @param scale DataSnooping::residual_scale()
+/// @param scale Hypotheses::residual_scale
 [[nodiscard]] FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics,
                                      const Iterate& fitted, const Observations& observations,
                                      double scale);

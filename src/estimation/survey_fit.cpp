@@ -10,14 +10,18 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimation/boundary_tests.hpp"
 #include "estimation/feasible_descent.hpp"
 #include "estimation/length_likelihoods.hpp"
+#include "estimation/length_tests.hpp"
 #include "estimation/slack_set.hpp"
+#include "estimation/target_tests.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
+using Family = Hypotheses::Family;
 
 /// The survey cannot show a step that moves nothing by more than this part of its smallest standard
 /// deviation.
@@ -60,14 +64,63 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
     return settings;
 }
 
-/// A widened prior lets lengths explain everything: it cannot be tested.
-bool tests_priors(const Survey& survey, const SurveyFitSettings& settings) {
-    return survey.is_noisy() && settings.prior_width == 1.0;
+std::vector<Hypothesis> all_hypotheses(const CableNet& net, const Survey& survey,
+                                       const PriorKnowledge& knowledge,
+                                       const SurveyFitSettings& settings) {
+    // A widened prior lets lengths explain everything: it cannot be tested.
+    const bool tests_priors = survey.is_noisy() && settings.prior_width == 1.0;
+    const double rate_of_priors = tests_priors ? settings.false_alarm_rate : 0.0;
+    std::vector<Hypothesis> all =
+        measurement_hypotheses(survey, knowledge.forces.measurements, settings.false_alarm_rate);
+    std::ranges::copy(length_hypotheses(net, knowledge.priors, rate_of_priors),
+                      std::back_inserter(all));
+    std::ranges::copy(boundary_hypotheses(net, rate_of_priors), std::back_inserter(all));
+    return all;
 }
 
-/// The false alarm rate of all tests of the priors together: that of the targets.
-double prior_alarm_rate(const Survey& survey, const SurveyFitSettings& settings) {
-    return tests_priors(survey, settings) ? settings.false_alarm_rate : 0.0;
+/// (slip): the nodes of rejected targets and released edges, those of the largest statistics first.
+std::vector<int> suspect_nodes(const Hypotheses& hypotheses) {
+    constexpr size_t most = 8;
+    std::vector<std::pair<double, int>> nodes;
+    for (const Suspect kind : {Suspect::target, Suspect::length, Suspect::pair}) {
+        for (const Hypothesis& found : hypotheses.found(kind)) {
+            for (const int node : found.nodes) {
+                if (node >= 0 && (!found.is_pair() || node == found.nodes[0])) {
+                    nodes.emplace_back(found.largest_statistic(), node);
+                }
+            }
+        }
+    }
+    std::ranges::stable_sort(nodes, std::greater{}, [](const auto& one) { return one.first; });
+    std::vector<int> result;
+    for (const auto& [statistic, node] : nodes) {
+        if (std::ranges::find(result, node) == result.end() && result.size() < most) {
+            result.push_back(node);
+        }
+    }
+    return result;
+}
+
+/// Pairs of one run at a node that (slip) tries: those with no edge released in another pair.
+/// @return places among the pairs
+std::vector<int> pairs_at(int node, const Hypotheses& hypotheses) {
+    std::vector<bool> in_pairs(hypotheses.of(Suspect::length).size(), false);
+    for (const Hypothesis& pair : hypotheses.of(Suspect::pair)) {
+        if (pair.is_released()) {
+            in_pairs[pair.index] = true;
+            in_pairs[pair.other] = true;
+        }
+    }
+    std::vector<int> result;
+    const std::span<const Hypothesis> pairs = hypotheses.of(Suspect::pair);
+    for (int k = 0; k < static_cast<int>(pairs.size()); ++k) {
+        const Hypothesis& pair = pairs[k];
+        const bool is_free = pair.is_released() || (!in_pairs[pair.index] && !in_pairs[pair.other]);
+        if (pair.nodes[0] == node && pair.is_of_one_run && is_free) {
+            result.push_back(k);
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -76,17 +129,16 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
                      const SurveyFitSettings& settings)
     : m_net(net),
       m_survey(with_supports(net, survey)),
+      m_priors(knowledge.priors),
       m_knowledge(knowledge),
       m_length_std(knowledge.length_std()),
       m_settings(checked(net, survey, knowledge, settings)),
       m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.uncertain, knowledge.frame_is_unknown, {}, knowledge.coupling()),
-      m_snooping(net, m_survey, m_noise, m_knowledge.forces.measurements,
-                 settings.false_alarm_rate),
-      m_length_snooping(net, knowledge.priors, prior_alarm_rate(survey, settings)),
-      m_boundary_snooping(net, knowledge.uncertain, prior_alarm_rate(survey, settings)) {
+      m_hypotheses(net, all_hypotheses(net, m_survey, knowledge, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.uncertain));
+    assume(m_hypotheses);
 }
 
 Iterate SurveyFit::nominal() const {
@@ -94,7 +146,7 @@ Iterate SurveyFit::nominal() const {
 }
 
 std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
-    return m_knowledge.as_seen(std::move(slack), m_snooping.rejected_forces());
+    return m_knowledge.as_seen(std::move(slack), m_rejected_forces);
 }
 
 /// Edges (m) that a form shows to be slack, corrected by what was seen.
@@ -112,204 +164,241 @@ std::vector<bool> SurveyFit::measured_slack(double inflation) const {
 
 GaussNewtonResult SurveyFit::run() {
     Mode last;
-    GaussNewtonResult fitted = fit_and_snoop(nominal(), last);
-    if (!is_sound(fitted)) {
-        fitted = by_rounded_tension_laws();
+    Explanation best = explain(m_hypotheses, nominal(), last);  // (map), (snooping)
+    if (!best.is_sound()) {
+        best = by_rounded_tension_laws(std::move(best.hypotheses));  // (rounded-law)
     } else {
-        if (m_boundary_snooping.is_active() && try_boundary(fitted)) {
-            last.boundary = BoundaryTest::at_once;
+        if (best.hypotheses.is_active(Family::boundary)) {
+            test(best, {.boundary = BoundaryTest::at_once});
+            if (best.hypotheses.may_be_boundary()) {
+                best = with_boundary(std::move(best));  // (boundary)
+                last.boundary = BoundaryTest::at_once;
+            }
         }
-        if (m_length_snooping.is_active() && !suspect_nodes().empty()) {
-            try_clamps(fitted);
+        if (best.hypotheses.is_active(Family::lengths) && !suspect_nodes(best.hypotheses).empty()) {
+            best = with_clamps(std::move(best));  // (slip)
         }
     }
-    if (!fitted.converged) {
+    if (!best.fitted.converged) {
         m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
-        if (!m_statics.linearise(fitted.iterate, observations())) {
+        if (!m_statics.linearise(best.fitted.iterate, observations())) {
             throw NumericalError(
                 "the statics of the net are singular at the surveyed form. Check the net and the "
                 "prior");
         }
         m_statics.invert();
     }
-    evaluate(fitted, last);
-    m_cost = cost_of(fitted);
-    m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
+    test(best, last);
+    m_cost = best.cost;
+    m_contradicts_too_many = best.hypotheses.is_active(Family::targets) &&
+                             best.hypotheses.contradicts_too_many(Family::targets);
     if (m_contradicts_too_many) {
         m_cost = std::numeric_limits<double>::infinity();
-        m_snooping.reject_suspicious();
+        best.hypotheses.release_outliers(Suspect::target);
     }
-    return fitted;
+    m_hypotheses = std::move(best.hypotheses);
+    assume(m_hypotheses);
+    return std::move(best.fitted);
 }
 
-double SurveyFit::cost_of(const GaussNewtonResult& fitted) const {
-    return fitted.converged ? 2.0 * m_statics.objective(observations(), fitted.iterate) +
-                                  m_snooping.rejected_cost() + m_length_snooping.released_cost() +
-                                  m_boundary_snooping.released_cost()
-                            : std::numeric_limits<double>::infinity();
-}
-
-/// Above 0 at the nodes (n) of rejected targets and released edges.
-Eigen::VectorXd SurveyFit::suspects() const {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(m_net.node_count());
-    for (int node = 0; node < m_net.node_count(); ++node) {
-        result(node) = m_snooping.rejected()[node] ? 1.0 : 0.0;
-    }
-    const std::vector<bool> released = m_length_snooping.released();
-    for (size_t i = 0; i < released.size(); ++i) {
-        if (released[i]) {
-            result(m_net.edges()[m_net.interior_edges()[i]][0]) = 1.0;
+/// Fits, and repeats the fit until data snooping changes nothing more.
+/// @param slack edges (m) to begin with; empty: those that were measured to be slack
+SurveyFit::Explanation SurveyFit::explain(Hypotheses hypotheses, const Iterate& start,
+                                          const Mode& mode,
+                                          std::optional<std::vector<bool>> slack) {
+    hypotheses.reopen();
+    assume(hypotheses);
+    Explanation found = fit(std::move(hypotheses), start,
+                            slack ? *std::move(slack) : measured_slack(mode.inflation), mode);
+    // A descent that was cut short shows the largest gross errors, too.
+    const auto can_be_tested = [&] {
+        return found.hypotheses.is_active(Family::targets) &&
+               (found.fitted.converged || (mode.is_rounded && found.fitted.has_factor));
+    };
+    for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
+        test(found, mode);  // (snooping), (length-snooping), (slip), (boundary)
+        if (!found.hypotheses.revise(mode.boundary)) {  // (score), (threshold)
+            break;
         }
+        const bool has_too_many = found.hypotheses.has_too_many(Family::targets) ||
+                                  found.hypotheses.has_too_many(Family::boundary);
+        assume(found.hypotheses);
+        found =
+            fit(std::move(found.hypotheses), found.fitted.iterate,
+                as_seen(where_measured(m_net, observations(mode.inflation), found.slack)), mode);
+        if (has_too_many) {
+            break;
+        }
+    }
+    return found;
+}
+
+/// Fits once, with what these hypotheses leave out and release.
+/// @param slack edges (m) to begin with
+SurveyFit::Explanation SurveyFit::fit(Hypotheses hypotheses, const Iterate& start,
+                                      std::vector<bool> slack, const Mode& mode) {
+    assume(hypotheses);
+    Explanation result{
+        .hypotheses = std::move(hypotheses),
+        .fitted = mode.is_rounded
+                      ? fit_rounded(with_released(start), mode.inflation)
+                      : fit_with_slack_set(with_released(start), std::move(slack), mode.inflation),
+        .slack = m_statics.slack(),
+        .cost = std::numeric_limits<double>::infinity()};
+    if (result.is_sound() && !result.hypotheses.has_too_many(Family::boundary)) {
+        result.cost = 2.0 * m_statics.objective(observations(), result.fitted.iterate) +
+                      result.hypotheses.cost();
     }
     return result;
 }
 
-/// (boundary): where the boundary may explain what was found, fits again with its outliers
-/// released, first all at once, then one after another. Takes the fit of the lowest cost.
-/// @return whether it was tried
-bool SurveyFit::try_boundary(GaussNewtonResult& fitted) {
-    evaluate(fitted, {.boundary = BoundaryTest::at_once});
-    if (!m_boundary_snooping.is_suspicious(suspects())) {
-        return false;
+/// Puts what is left out and released into the knowledge of the next fit.
+void SurveyFit::assume(const Hypotheses& hypotheses) {
+    m_rejected = hypotheses.is_released(Suspect::target, m_net.node_count());
+    m_rejected_forces = hypotheses.is_released(
+        Suspect::force, static_cast<int>(m_knowledge.forces.measurements.size()));
+    m_knowledge.priors = priors_with_released(hypotheses, m_net, m_priors);
+    if (BoundaryReleases released = boundary_releases(hypotheses);
+        m_knowledge.released != released) {
+        m_knowledge.released = std::move(released);
+        m_statics.set_released(m_knowledge.released);
     }
-    const Iterate start = fitted.iterate;
-    const std::vector<bool> slack = m_statics.slack();
-    Explanation best = explanation_of(fitted);
+}
+
+/// The tests of all hypotheses at a fit, the last one made.
+void SurveyFit::test(Explanation& found, const Mode& mode) const {
+    Hypotheses& hypotheses = found.hypotheses;
+    const Iterate& at = found.fitted.iterate;
+    const std::vector<ForceMeasurement>& forces = m_knowledge.forces.measurements;
+    const Observations observed = observations(mode.inflation);
+    hypotheses.begin_tests();
+    test_targets(
+        hypotheses, m_survey, m_noise, at.form,
+        [this](int node) { return m_statics.form_covariance(node); }, mode.inflation);
+    if (!forces.empty()) {
+        test_forces(
+            hypotheses, forces, m_statics.tensions(at), m_statics.tension_variances(),
+            [this](const Eigen::VectorXd& weights) {
+                return m_statics.covariances_with(weights).dot(weights);
+            },
+            mode.inflation);
+    }
+    if (mode.boundary != BoundaryTest::none && hypotheses.is_active(Family::boundary)) {
+        test_boundary(hypotheses, m_net,
+                      std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) > 0.0,
+                      m_statics, at, observed);
+    }
+    if (!mode.is_rounded && hypotheses.is_active(Family::lengths)) {
+        test_lengths(hypotheses, m_net, m_priors,
+                     length_likelihoods(m_net, m_knowledge, m_statics, observed, at), m_statics,
+                     observed, at);
+    }
+}
+
+/// (boundary): fits again with the outliers of the boundary released, first all at once, then one
+/// after another. Gross errors elsewhere show at the boundary, too, and several boundary outliers
+/// show at many targets: hence both orders are tried. Takes the fit of the lowest cost.
+SurveyFit::Explanation SurveyFit::with_boundary(Explanation found) {
+    const Iterate start = found.fitted.iterate;
+    const std::vector<bool> slack = found.slack;
+    Hypotheses hypotheses = found.hypotheses;
     for (const BoundaryTest test : {BoundaryTest::at_once, BoundaryTest::one_by_one}) {
-        readmit_all();
-        Explanation other = explanation_of(fit_and_snoop(start, slack, {.boundary = test}));
-        if (other.cost < best.cost) {
-            best = std::move(other);
+        hypotheses.readmit_all();
+        Explanation other = explain(std::move(hypotheses), start, {.boundary = test}, slack);
+        hypotheses = other.hypotheses;
+        if (other.cost < found.cost) {
+            found = std::move(other);
         }
     }
-    fitted = fit_as(best);
-    if (!is_sound(fitted)) {  // as before
-        readmit_all();
-        fitted = fit_and_snoop(nominal(), {});
+    found = fit(std::move(found.hypotheses), found.fitted.iterate, std::move(found.slack), {});
+    if (!found.is_sound()) {  // as before
+        found.hypotheses.readmit_all();
+        found = explain(std::move(found.hypotheses), nominal(), {});
     }
-    return true;
+    return found;
 }
 
-SurveyFit::Explanation SurveyFit::explanation_of(const GaussNewtonResult& fitted) const {
-    const bool is_one = is_sound(fitted) && !m_boundary_snooping.releases_too_many();
-    return {.cost = is_one ? cost_of(fitted) : std::numeric_limits<double>::infinity(),
-            .rejected = m_snooping.all_rejected(),
-            .lengths = m_length_snooping.suspects(),
-            .boundary = m_boundary_snooping.released(),
-            .iterate = fitted.iterate,
-            .slack = m_statics.slack(),
-            .target_statistics = m_snooping.statistics()};
-}
-
-/// Leaves out and releases what an explanation does.
-void SurveyFit::take_over(const Explanation& explanation) {
-    m_snooping.set_rejected(explanation.rejected);
-    m_length_snooping.set_suspects(explanation.lengths);
-    m_boundary_snooping.set_released(explanation.boundary);
-    take_over_releases();
-}
-
-/// Fits again, with what an explanation leaves out and releases.
-GaussNewtonResult SurveyFit::fit_as(const Explanation& explanation) {
-    take_over(explanation);
-    return fit(with_released(explanation.iterate), explanation.slack, {});
-}
-
-/// (slip): the nodes of rejected targets and released edges, those of the largest statistics first.
-std::vector<int> SurveyFit::suspect_nodes() const {
-    constexpr size_t most = 8;
-    std::vector<std::pair<double, int>> nodes;
-    for (const Outlier& outlier : m_snooping.outliers()) {
-        nodes.emplace_back(outlier.statistic, outlier.node);
+/// A fit with a pair released and the target at its node in use, or the other way round.
+/// @param pair place among the pairs
+SurveyFit::Explanation SurveyFit::with_pair(Explanation other, int pair, bool is_target) {
+    Hypothesis& released = other.hypotheses.of(Suspect::pair)[pair];
+    other.hypotheses.set_pair(released, !is_target);
+    if (Hypothesis* target = other.hypotheses.find(Suspect::target, released.nodes[0])) {
+        target->state = is_target ? Hypothesis::State::released : Hypothesis::State::in_use;
     }
-    for (const LengthOutlier& outlier : m_length_snooping.outliers()) {
-        if (outlier.node >= 0) {
-            nodes.emplace_back(outlier.statistic, outlier.node);
-            continue;
-        }
-        for (const int node : m_net.edges()[outlier.edge]) {
-            nodes.emplace_back(outlier.statistic, node);
-        }
+    if (!is_target) {  // a shorter one that was taken for slack may be taut
+        other.slack[m_net.interior_edges()[released.index]] = false;
+        other.slack[m_net.interior_edges()[released.other]] = false;
     }
-    std::ranges::stable_sort(nodes, std::greater{}, [](const auto& one) { return one.first; });
-    std::vector<int> result;
-    for (const auto& [statistic, node] : nodes) {
-        if (std::ranges::find(result, node) == result.end() && result.size() < most) {
-            result.push_back(node);
-        }
+    other = fit(std::move(other.hypotheses), other.fitted.iterate, std::move(other.slack), {});
+    if (other.is_sound()) {
+        test(other, {});
     }
-    return result;
+    return other;
 }
 
-/// (slip): at each suspect node, fits again with a slipped clamp instead of what was found there,
-/// and with the target left out. Takes the fit of the lowest cost. Where clamp and target cost
-/// nearly the same, the survey does not separate them: the target is left out and both edges get
-/// wide priors.
-void SurveyFit::try_clamps(GaussNewtonResult& fitted) {
+/// (slip): a slipped clamp instead of what was found at its node, where that costs less. Where
+/// clamp and target cost nearly the same, the survey does not separate them: the target is left out
+/// and both edges get wide priors.
+/// @param pair place among the pairs
+std::optional<SurveyFit::Explanation> SurveyFit::instead_of(const Explanation& best, int pair) {
     // A target has two degrees of freedom more than a clamp: chi-squared exceeds this in 3 of
     // 1,000.
     constexpr double inseparable = 11.6;
     // A clamp has one degree of freedom more than a single edge: 1 of 100.
     constexpr double more_than_one_edge = 6.6;
-    evaluate(fitted, {});
-    const Explanation before = explanation_of(fitted);
-    Explanation best = before;
-    const auto tried = [&](int node, size_t place, bool is_target) {
-        m_snooping.set_rejected(best.rejected);
-        m_snooping.set_rejected(node, is_target);
-        m_length_snooping.set_suspects(best.lengths);
-        m_length_snooping.set_pair(place, !is_target);
-        Explanation other = best;
-        other.rejected = m_snooping.all_rejected();
-        other.lengths = m_length_snooping.suspects();
-        const LengthSuspect& pair = other.lengths[place];
-        if (!is_target) {  // a shorter one that was taken for slack may be taut
-            other.slack[m_net.interior_edges()[pair.edge]] = false;
-            other.slack[m_net.interior_edges()[pair.other]] = false;
+    const Hypothesis before = best.hypotheses.of(Suspect::pair)[pair];
+    const auto lengths = best.hypotheses.of(Suspect::length);
+    const bool is_in_place_of_edge =
+        lengths[before.index].is_released() || lengths[before.other].is_released();
+    Explanation clamp = before.is_released() ? best : with_pair(best, pair, false);
+    Hypothesis& slipped = clamp.hypotheses.of(Suspect::pair)[pair];
+    if (!(clamp.cost < best.cost + (is_in_place_of_edge ? -more_than_one_edge : inseparable)) ||
+        !is_slip(slipped, m_priors)) {
+        return std::nullopt;
+    }
+    Hypothesis* at_node = clamp.hypotheses.find(Suspect::target, before.nodes[0]);
+    double cost_of_target = best.cost;
+    if (at_node != nullptr) {
+        Explanation target = best;
+        if (!target.hypotheses.find(Suspect::target, at_node->index)->is_released()) {
+            target = with_pair(std::move(target), pair, true);
         }
-        const GaussNewtonResult fit = fit_as(other);
-        if (is_sound(fit)) {
-            evaluate(fit, {});
+        cost_of_target = target.cost;
+        if (std::abs(clamp.cost - cost_of_target) < inseparable) {
+            slipped.state = Hypothesis::State::released_for_good;
+            at_node->state = Hypothesis::State::released_for_good;
+            at_node->statistic = target.hypotheses.find(Suspect::target, at_node->index)->statistic;
+            return clamp;
         }
-        return explanation_of(fit);
-    };
+    }
+    if (!before.is_released() && clamp.cost < std::min(best.cost, cost_of_target)) {
+        return clamp;
+    }
+    return std::nullopt;
+}
+
+/// (slip): tries a slipped clamp at each suspect node.
+SurveyFit::Explanation SurveyFit::with_clamps(Explanation found) {
+    test(found, {});
+    Explanation best = found;
     bool has_changed = false;
-    for (const int node : suspect_nodes()) {
-        const bool is_surveyed = std::ranges::binary_search(m_survey.surveyed, node);
-        m_length_snooping.set_suspects(best.lengths);
-        for (const size_t place : m_length_snooping.pairs_at(node)) {
-            const bool is_in_place_of_edge = best.lengths[best.lengths[place].edge].is_released ||
-                                             best.lengths[best.lengths[place].other].is_released;
-            const bool is_released = best.lengths[place].is_released;
-            const Explanation clamp = is_released ? best : tried(node, place, false);
-            if (!(clamp.cost <
-                  best.cost + (is_in_place_of_edge ? -more_than_one_edge : inseparable)) ||
-                !m_length_snooping.is_slip(clamp.lengths[place])) {
-                continue;
+    for (const int node : suspect_nodes(found.hypotheses)) {
+        for (const int pair : pairs_at(node, best.hypotheses)) {
+            if (std::optional<Explanation> other = instead_of(best, pair)) {
+                best = *std::move(other);
+                has_changed = true;
+                break;
             }
-            const Explanation target =
-                best.rejected.targets[node] || !is_surveyed ? best : tried(node, place, true);
-            if (target.rejected.targets[node] && std::abs(clamp.cost - target.cost) < inseparable) {
-                best = clamp;
-                best.lengths[place].is_beside_target = true;
-                best.rejected.targets[node] = true;
-                best.rejected.for_good(node) = target.target_statistics(node);
-            } else if (!is_released && clamp.cost < std::min(best.cost, target.cost)) {
-                best = clamp;
-            } else {
-                continue;
-            }
-            has_changed = true;
-            break;
         }
     }
-    fitted = fit_as(best);
-    if (has_changed && is_sound(fitted)) {
-        fitted = fit_and_snoop(fitted.iterate, m_statics.slack(), {});
+    best = fit(std::move(best.hypotheses), best.fitted.iterate, std::move(best.slack), {});
+    if (has_changed && best.is_sound()) {
+        best = explain(std::move(best.hypotheses), best.fitted.iterate, {}, best.slack);
     }
-    if (!is_sound(fitted)) {
-        fitted = fit_as(before);
-    }
+    return best.is_sound()
+               ? best
+               : fit(std::move(found.hypotheses), found.fitted.iterate, std::move(found.slack), {});
 }
 
 /// Fits with those edges slack that the fitted form shows to be slack. Whether an edge is taut is a
@@ -317,11 +406,8 @@ void SurveyFit::try_clamps(GaussNewtonResult& fitted) {
 /// when slack, and no small steps lead from one fit to the other. So the slack set to begin with is
 /// an argument. An edge that comes out longer than a slack edge can be stays taut, even with some
 /// pressure, so that the sets do not cycle.
-GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, const Mode& mode) {
-    const double inflation = mode.inflation;
-    if (mode.is_rounded) {
-        return fit_rounded(start, inflation);
-    }
+GaussNewtonResult SurveyFit::fit_with_slack_set(const Iterate& start, std::vector<bool> slack,
+                                                double inflation) {
     m_statics.round_corners(0.0);
     const Observations observed = observations(inflation);
     GaussNewtonResult fitted;
@@ -414,70 +500,39 @@ double SurveyFit::widest_corner() const {
     return std::min(m_length_std, std::sqrt(stretch * m_length_std));
 }
 
-/// Fits, and repeats the fit until data snooping changes nothing more.
-/// @param slack edges (m) to begin with
-GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<bool> slack,
-                                           const Mode& mode) {
-    m_snooping.reopen();
-    m_length_snooping.reopen();
-    m_boundary_snooping.reopen();
-    GaussNewtonResult fitted = fit(with_released(start), std::move(slack), mode);
-    // A descent that was cut short shows the largest gross errors, too.
-    const auto can_be_tested = [&] {
-        return m_snooping.is_active() &&
-               (fitted.converged || (mode.is_rounded && fitted.has_factor));
-    };
-    for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
-        evaluate(fitted, mode);
-        if (!revise(mode)) {
-            break;
-        }
-        const bool has_too_many =
-            m_snooping.rejects_too_many() || m_boundary_snooping.releases_too_many();
-        fitted = fit(
-            with_released(std::move(fitted.iterate)),
-            as_seen(where_measured(m_net, observations(mode.inflation), m_statics.slack())), mode);
-        if (has_too_many) {
-            break;
-        }
-    }
-    return fitted;
-}
-
-/// The same, beginning with the edges that were measured to be slack.
-GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, const Mode& mode) {
-    return fit_and_snoop(start, measured_slack(mode.inflation), mode);
-}
-
 /// (continuation): fits with a large noise, then with less and less, each from the result before.
 /// The less a survey binds the form, the farther a linearisation holds. The gross errors show one
 /// after another, the largest first. Once some are rejected, a fit from the nominal net is tried.
-GaussNewtonResult SurveyFit::from_coarse_to_fine(bool is_rounded) {
-    readmit_all();
+SurveyFit::Explanation SurveyFit::from_coarse_to_fine(Hypotheses hypotheses, bool is_rounded) {
+    hypotheses.readmit_all();
+    assume(hypotheses);
     m_corner_width = widest_corner();
     Iterate from = nominal();
     std::vector<bool> slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
     const auto refine = [&](double inflation) {
         const Mode mode{.inflation = inflation, .is_rounded = is_rounded};
-        GaussNewtonResult fitted = fit_and_snoop(from, mode);
-        if (!fitted.converged) {
-            fitted = fit_and_snoop(
-                from, as_seen(where_measured(m_net, observations(inflation), slack)), mode);
+        Explanation found = explain(std::move(hypotheses), from, mode);
+        if (!found.fitted.converged) {
+            found = explain(std::move(found.hypotheses), from, mode,
+                            as_seen(where_measured(m_net, observations(inflation), slack)));
         }
-        if (fitted.converged) {
-            from = fitted.iterate;
-            slack = m_statics.slack();
+        if (found.fitted.converged) {
+            from = found.fitted.iterate;
+            slack = found.slack;
         }
-        return fitted;
+        hypotheses = found.hypotheses;
+        return found;
     };
     for (double inflation = first_inflation(); inflation > 1.0; inflation *= continuation_factor) {
-        const int rejected = m_snooping.rejected_count();
+        const int rejected = hypotheses.released_count(Family::targets);
         refine(inflation);
-        if (m_snooping.rejected_count() > rejected) {
-            GaussNewtonResult direct = fit_and_snoop(nominal(), {.is_rounded = is_rounded});
-            if (direct.converged && !m_snooping.rejects_too_many()) {
+        if (hypotheses.released_count(Family::targets) > rejected) {
+            Explanation direct =
+                explain(std::move(hypotheses), nominal(), {.is_rounded = is_rounded});
+            if (direct.is_sound()) {
                 return direct;
             }
+            hypotheses = std::move(direct.hypotheses);
         }
     }
     return refine(1.0);
@@ -487,75 +542,27 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine(bool is_rounded) {
 /// can buckle; every step lowers the objective. Their result starts a fit with a slack set. The
 /// first of these that converges is taken: that fit, a continuation with slack sets, the rounded
 /// fit.
-GaussNewtonResult SurveyFit::by_rounded_tension_laws() {
-    readmit_all();
+SurveyFit::Explanation SurveyFit::by_rounded_tension_laws(Hypotheses hypotheses) {
+    hypotheses.readmit_all();
     m_corner_width = widest_corner();
-    GaussNewtonResult rounded = fit_and_snoop(nominal(), {.is_rounded = true});
-    const bool is_rounded_sound = is_sound(rounded);
-    const Explanation found = explanation_of(rounded);
-    if (is_rounded_sound) {
-        GaussNewtonResult fitted = fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), {});
-        if (is_sound(fitted)) {
-            return fitted;
+    const Explanation rounded = explain(std::move(hypotheses), nominal(), {.is_rounded = true});
+    Hypotheses last = rounded.hypotheses;
+    if (rounded.is_sound()) {
+        Explanation found = explain(std::move(last), rounded.fitted.iterate, {},
+                                    shown_slack(rounded.fitted.iterate));
+        if (found.is_sound()) {
+            return found;
         }
+        last = std::move(found.hypotheses);
     }
-    GaussNewtonResult fitted = from_coarse_to_fine(false);
-    if (is_sound(fitted)) {
-        return fitted;
+    Explanation found = from_coarse_to_fine(std::move(last), false);
+    if (found.is_sound()) {
+        return found;
     }
-    if (!is_rounded_sound) {
-        return from_coarse_to_fine(true);
+    if (!rounded.is_sound()) {
+        return from_coarse_to_fine(std::move(found.hypotheses), true);
     }
-    take_over(found);
-    return fit_rounded(with_released(rounded.iterate), 1.0);
-}
-
-/// One step of data snooping: targets, force measurements, lengths and the boundary compete.
-bool SurveyFit::revise(const Mode& mode) {
-    if (mode.is_rounded) {
-        return m_snooping.revise();
-    }
-    const Eigen::VectorXd of_targets = m_snooping.scores();
-    const Eigen::VectorXd of_lengths = m_length_snooping.scores();
-    const Eigen::VectorXd of_boundary = mode.boundary != BoundaryTest::none
-                                            ? m_boundary_snooping.scores()
-                                            : Eigen::VectorXd::Zero(m_net.node_count());
-    const bool has_released = m_length_snooping.release(of_targets.cwiseMax(of_boundary));
-    bool has_changed = m_snooping.reject(of_lengths.cwiseMax(of_boundary)) || has_released;
-    // Gross errors elsewhere show at the boundary, too, and several boundary outliers show at many
-    // targets: hence both orders are tried.
-    const bool is_one_by_one = mode.boundary == BoundaryTest::one_by_one;
-    if (mode.boundary == BoundaryTest::at_once || (is_one_by_one && !has_changed)) {
-        const bool has_released_boundary =
-            m_boundary_snooping.release(of_targets.cwiseMax(of_lengths), is_one_by_one);
-        has_changed = has_changed || has_released_boundary;
-    }
-    if (!has_changed) {
-        const bool has_readmitted = m_snooping.readmit();
-        const bool has_readmitted_edge = m_length_snooping.readmit();
-        has_changed = m_boundary_snooping.readmit() || has_readmitted || has_readmitted_edge;
-    }
-    if (m_length_snooping.releases_too_many()) {
-        m_length_snooping.give_up();  // (length-snooping): the prior is wrong, not the edges
-    }
-    take_over_releases();
-    return has_changed;
-}
-
-void SurveyFit::readmit_all() {
-    m_snooping.readmit_all();
-    m_length_snooping.readmit_all();
-    m_boundary_snooping.readmit_all();
-    take_over_releases();
-}
-
-/// Puts the released edges and boundary into the knowledge of the next fit.
-void SurveyFit::take_over_releases() {
-    m_knowledge.priors = m_length_snooping.priors();
-    if (m_knowledge.released != m_boundary_snooping.released()) {
-        m_knowledge.released = m_boundary_snooping.released();
-        m_statics.set_released(m_knowledge.released);
-    }
+    return fit(rounded.hypotheses, rounded.fitted.iterate, {}, {.is_rounded = true});
 }
 
 /// An iterate with the common parameters now released, at 0, and the supports moved accordingly.
@@ -580,11 +587,11 @@ double SurveyFit::first_inflation() const {
 }
 
 Observations SurveyFit::observations(double inflation) const {
-    Observations result = observe(m_net, m_survey, m_noise, m_snooping.rejected(), m_knowledge,
-                                  m_statics.common().count());
+    Observations result =
+        observe(m_net, m_survey, m_noise, m_rejected, m_knowledge, m_statics.common().count());
     const std::vector<ForceMeasurement>& forces = m_knowledge.forces.measurements;
     for (size_t k = 0; k < forces.size(); ++k) {
-        if (m_snooping.rejected_forces()[k]) {
+        if (m_rejected_forces[k]) {
             result.tension_weights(forces[k].edge) = 0.0;
         }
     }
@@ -597,29 +604,20 @@ Observations SurveyFit::observations(double inflation) const {
     return result;
 }
 
-void SurveyFit::evaluate(const GaussNewtonResult& fitted, const Mode& mode) {
-    const double inflation = mode.inflation;
-    m_snooping.evaluate(
-        fitted.iterate.form, [this](int node) { return m_statics.form_covariance(node); },
-        inflation);
-    if (!m_knowledge.forces.measurements.empty()) {
-        m_snooping.evaluate_forces(
-            m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
-            [this](const Eigen::VectorXd& weights) {
-                return m_statics.covariances_with(weights).dot(weights);
-            },
-            inflation);
-    }
-    if (mode.boundary != BoundaryTest::none && m_boundary_snooping.is_active()) {
-        m_boundary_snooping.evaluate(m_statics, fitted.iterate, observations(inflation),
-                                     m_snooping.residual_scale());
-    }
-    if (m_length_snooping.is_active() && !mode.is_rounded) {
-        const Observations observed = observations(inflation);
-        m_length_snooping.evaluate(
-            length_likelihoods(m_net, m_knowledge, m_statics, observed, fitted.iterate), m_statics,
-            observed, fitted.iterate);
-    }
+std::vector<Outlier> SurveyFit::outliers() const {
+    return target_outliers(m_hypotheses, m_survey, m_noise);
+}
+
+std::vector<ForceOutlier> SurveyFit::force_outliers() const {
+    return taut::force_outliers(m_hypotheses, m_knowledge.forces.measurements);
+}
+
+std::vector<LengthOutlier> SurveyFit::length_outliers() const {
+    return taut::length_outliers(m_hypotheses, m_net, m_priors);
+}
+
+double SurveyFit::detectable_length(const std::vector<int>& edges) const {
+    return taut::detectable_length(m_hypotheses, m_net, m_priors, edges);
 }
 
 }  // namespace taut

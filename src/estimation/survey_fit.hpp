@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "estimation/boundary_snooping.hpp"
-#include "estimation/data_snooping.hpp"
 #include "estimation/gauss_newton.hpp"
-#include "estimation/length_snooping.hpp"
+#include "estimation/hypotheses.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
+#include "taut/estimation/outlier.hpp"
 
 namespace taut {
 
@@ -50,9 +50,14 @@ public:
     [[nodiscard]] double cost() const { return m_cost; }
     /// Whether more targets contradict the others than can have gross errors.
     [[nodiscard]] bool contradicts_too_many() const { return m_contradicts_too_many; }
-    [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
-    [[nodiscard]] const LengthSnooping& length_snooping() const { return m_length_snooping; }
-    [[nodiscard]] const BoundarySnooping& boundary_snooping() const { return m_boundary_snooping; }
+    /// With their tests at the result.
+    [[nodiscard]] const Hypotheses& hypotheses() const { return m_hypotheses; }
+    /// Those found of each kind, the largest statistic first.
+    [[nodiscard]] std::vector<Outlier> outliers() const;
+    [[nodiscard]] std::vector<ForceOutlier> force_outliers() const;
+    [[nodiscard]] std::vector<LengthOutlier> length_outliers() const;
+    /// DetectableErrors::length, for these edges.
+    [[nodiscard]] double detectable_length(const std::vector<int>& edges) const;
     /// The knowledge given, with the priors of released edges widened and the released part of the
     /// boundary.
     [[nodiscard]] const PriorKnowledge& knowledge() const { return m_knowledge; }
@@ -66,13 +71,25 @@ public:
     [[nodiscard]] Observations observations() const { return observations(1.0); }
 
 private:
-    enum class BoundaryTest { none, at_once, one_by_one };
+    using BoundaryTest = Hypotheses::BoundaryTest;
     /// How a fit is made, and what is tested after it.
     struct Mode {
         double inflation = 1.0;   ///< (continuation): factor on the noise
         bool is_rounded = false;  ///< (rounded-law) replaces the slack set; only targets are tested
         BoundaryTest boundary = BoundaryTest::none;
     };
+    /// A fit, with what it leaves out and releases.
+    struct Explanation {
+        Hypotheses hypotheses;
+        GaussNewtonResult fitted;
+        std::vector<bool> slack;  ///< m
+        double cost = 0.0;        ///< cost(); infinite where it is none
+
+        [[nodiscard]] bool is_sound() const {
+            return fitted.converged && !hypotheses.has_too_many(Hypotheses::Family::targets);
+        }
+    };
+    void assume(const Hypotheses& hypotheses);
     [[nodiscard]] Observations observations(double inflation) const;
     [[nodiscard]] Iterate nominal() const;
     [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack) const;
@@ -80,54 +97,37 @@ private:
     [[nodiscard]] std::vector<bool> measured_slack(double inflation) const;
     void follow_tension_laws(GaussNewtonResult& fitted, const Observations& observed,
                              double inflation);
-    void evaluate(const GaussNewtonResult& fitted, const Mode& mode);
-    [[nodiscard]] GaussNewtonResult fit(const Iterate& start, std::vector<bool> slack,
-                                        const Mode& mode);
+    [[nodiscard]] GaussNewtonResult fit_with_slack_set(const Iterate& start,
+                                                       std::vector<bool> slack, double inflation);
     [[nodiscard]] GaussNewtonResult fit_rounded(const Iterate& start, double inflation);
-    [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, std::vector<bool> slack,
-                                                  const Mode& mode);
-    [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, const Mode& mode);
-    [[nodiscard]] GaussNewtonResult by_rounded_tension_laws();
-    [[nodiscard]] GaussNewtonResult from_coarse_to_fine(bool is_rounded);
-    [[nodiscard]] bool revise(const Mode& mode);
-    /// What was left out and released at a fit, and what it costs.
-    struct Explanation {
-        double cost = 0.0;  ///< infinite where the fit did not converge
-        DataSnooping::Rejected rejected;
-        std::vector<LengthSuspect> lengths;
-        BoundaryReleases boundary;
-        Iterate iterate;
-        std::vector<bool> slack;
-        Eigen::VectorXd target_statistics;  ///< n
-    };
-    [[nodiscard]] Explanation explanation_of(const GaussNewtonResult& fitted) const;
-    void take_over(const Explanation& explanation);
-    [[nodiscard]] GaussNewtonResult fit_as(const Explanation& explanation);
-    [[nodiscard]] std::vector<int> suspect_nodes() const;
-    void try_clamps(GaussNewtonResult& fitted);
-    void readmit_all();
-    [[nodiscard]] Eigen::VectorXd suspects() const;
-    [[nodiscard]] double cost_of(const GaussNewtonResult& fitted) const;
-    [[nodiscard]] bool try_boundary(GaussNewtonResult& fitted);
-    void take_over_releases();
+    [[nodiscard]] Explanation fit(Hypotheses hypotheses, const Iterate& start,
+                                  std::vector<bool> slack, const Mode& mode);
+    void test(Explanation& found, const Mode& mode) const;
+    [[nodiscard]] Explanation explain(Hypotheses hypotheses, const Iterate& start, const Mode& mode,
+                                      std::optional<std::vector<bool>> slack = {});
+    [[nodiscard]] Explanation by_rounded_tension_laws(Hypotheses hypotheses);
+    [[nodiscard]] Explanation from_coarse_to_fine(Hypotheses hypotheses, bool is_rounded);
+    [[nodiscard]] Explanation with_boundary(Explanation found);
+    [[nodiscard]] Explanation with_pair(Explanation other, int pair, bool is_target);
+    [[nodiscard]] std::optional<Explanation> instead_of(const Explanation& best, int pair);
+    [[nodiscard]] Explanation with_clamps(Explanation found);
     [[nodiscard]] Iterate with_released(Iterate iterate) const;
-    [[nodiscard]] bool is_sound(const GaussNewtonResult& fitted) const {
-        return fitted.converged && !m_snooping.rejects_too_many();
-    }
     [[nodiscard]] double widest_corner() const;
     [[nodiscard]] double first_inflation() const;
 
     const CableNet& m_net;
-    Survey m_survey;  ///< with the surveyed supports as targets
+    Survey m_survey;                    ///< with the surveyed supports as targets
+    std::vector<LengthPrior> m_priors;  ///< as given (m_I)
+    // As assumed by the last fit.
     PriorKnowledge m_knowledge;
-    double m_length_std;  ///< of the priors, together [m]
+    std::vector<bool> m_rejected;         ///< targets, by node (n)
+    std::vector<bool> m_rejected_forces;  ///< by force measurement
+    double m_length_std;                  ///< of the priors, together [m]
     SurveyFitSettings m_settings;
     Points m_noise;
     double m_tolerance;
     LinearisedStatics m_statics;
-    DataSnooping m_snooping;
-    LengthSnooping m_length_snooping;
-    BoundarySnooping m_boundary_snooping;
+    Hypotheses m_hypotheses;
     double m_cost = 0.0;
     bool m_contradicts_too_many = false;
     double m_corner_width = 0.0;  ///< that the rounded fits have reached [m]

@@ -4,16 +4,20 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "taut/net/units.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
 
-void set_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
-                  bool contradicts_too_many) {
-    result.outliers = snooping.outliers();
-    result.outlier_threshold = snooping.is_active() ? snooping.threshold() : 0.0;
-    result.noise_ratio = snooping.noise_ratio();
+void set_snooping(Identification& result, const Survey& survey, const Hypotheses& hypotheses,
+                  std::vector<Outlier> outliers, bool contradicts_too_many) {
+    result.outliers = std::move(outliers);
+    result.outlier_threshold = hypotheses.is_active(Hypotheses::Family::targets)
+                                   ? hypotheses.threshold(Suspect::target)
+                                   : 0.0;
+    result.noise_ratio = hypotheses.noise_ratio;
     if (contradicts_too_many) {
         result.status = IdentificationStatus::survey_does_not_fit;
         const bool is_by_digits =

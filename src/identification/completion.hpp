@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "estimation/data_snooping.hpp"
+#include "estimation/hypotheses.hpp"
 #include "taut/estimation/length_posterior.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
@@ -12,9 +12,10 @@
 namespace taut {
 
 /// Reports what data snooping found at the end of a search.
-/// @param contradicts_too_many DataSnooping::contradicts_too_many(): sets the status
-void set_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
-                  bool contradicts_too_many);
+/// @param outliers of the targets, the largest statistic first
+/// @param contradicts_too_many of the targets: sets the status
+void set_snooping(Identification& result, const Survey& survey, const Hypotheses& hypotheses,
+                  std::vector<Outlier> outliers, bool contradicts_too_many);
 
 /// Fills the edges of a result from their likelihoods and priors (m_I), docs/theory.md (posterior).
 void set_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,

@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-#include "estimation/data_snooping.hpp"
+#include "estimation/hypotheses.hpp"
 #include "identification/parameter_estimates.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"

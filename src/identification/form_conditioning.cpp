@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "estimation/observations.hpp"
+#include "estimation/target_tests.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
@@ -18,13 +19,13 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormPrior& before, c
       m_nominal_form(std::move(nominal_form)),
       m_noise(with_noise_floor(net, survey)),
       m_common(common_noise_variance()),
-      m_snooping(net, survey, m_noise, m_no_forces, false_alarm_rate) {
+      m_hypotheses(net, measurement_hypotheses(survey, {}, false_alarm_rate)) {
     condition();
-    if (!m_snooping.is_active()) {
+    if (!m_hypotheses.is_active(Hypotheses::Family::targets)) {
         return;
     }
     evaluate();
-    while (!m_snooping.rejects_too_many() && m_snooping.revise()) {
+    while (!m_hypotheses.has_too_many(Hypotheses::Family::targets) && m_hypotheses.revise()) {
         condition();
         evaluate();
     }
@@ -48,10 +49,10 @@ std::optional<double> ConditionedForm::common_noise_variance() const {
 void ConditionedForm::condition() {
     m_observed.clear();
     std::vector<bool> is_observed(m_net.free_node_count(), false);
-    for (const int node : m_survey.surveyed) {
-        if (!m_snooping.rejected()[node]) {
-            m_observed.push_back(node);
-            is_observed[m_net.free_index(node)] = true;
+    for (const Hypothesis& target : m_hypotheses.of(Suspect::target)) {
+        if (!target.is_released()) {
+            m_observed.push_back(target.index);
+            is_observed[m_net.free_index(target.index)] = true;
         }
     }
     Eigen::VectorXd residual =
@@ -118,13 +119,19 @@ void ConditionedForm::condition_by_factor(const Eigen::VectorXd& residual) {
 
 void ConditionedForm::evaluate() {
     const Eigen::MatrixXd reduced = product(m_root, m_before.directions);
-    m_snooping.evaluate(
-        with_free_coordinates(m_net, m_nominal_form + m_mean), [&](int node) -> Eigen::Matrix3d {
-            const Eigen::Index at = Eigen::Index{3} * m_net.free_index(node);
-            const auto D = m_before.directions.middleCols<3>(at);
-            const auto TD = reduced.middleCols<3>(at);
-            return D.transpose() * m_diagonal.asDiagonal() * D + TD.transpose() * TD;
-        });
+    m_hypotheses.begin_tests();
+    test_targets(m_hypotheses, m_survey, m_noise,
+                 with_free_coordinates(m_net, m_nominal_form + m_mean),
+                 [&](int node) -> Eigen::Matrix3d {
+                     const Eigen::Index at = Eigen::Index{3} * m_net.free_index(node);
+                     const auto D = m_before.directions.middleCols<3>(at);
+                     const auto TD = reduced.middleCols<3>(at);
+                     return D.transpose() * m_diagonal.asDiagonal() * D + TD.transpose() * TD;
+                 });
+}
+
+std::vector<Outlier> ConditionedForm::outliers() const {
+    return target_outliers(m_hypotheses, m_survey, m_noise);
 }
 
 Eigen::VectorXd ConditionedForm::variances_along(const Eigen::MatrixXd& gradients) const {

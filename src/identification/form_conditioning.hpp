@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/data_snooping.hpp"
+#include "estimation/hypotheses.hpp"
 #include "numerics/dense.hpp"
+#include "taut/estimation/outlier.hpp"
 #include "taut/export/core.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/net/cable_net.hpp"
@@ -37,7 +38,8 @@ public:
     /// directions: D times those with respect to the coordinates.
     [[nodiscard]] Eigen::VectorXd variances_along(const Eigen::MatrixXd& gradients) const;
 
-    [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
+    [[nodiscard]] const Hypotheses& hypotheses() const { return m_hypotheses; }  ///< of targets
+    [[nodiscard]] std::vector<Outlier> outliers() const;  ///< the largest statistic first
 
 private:
     void condition();
@@ -58,8 +60,7 @@ private:
     Eigen::VectorXd m_mean;          ///< 3 n_I [m]
     Eigen::VectorXd m_diagonal;      ///< s (3 n_I) [m2]
     Eigen::MatrixXd m_root;          ///< T (any x 3 n_I) [m]
-    std::vector<ForceMeasurement> m_no_forces;
-    DataSnooping m_snooping;
+    Hypotheses m_hypotheses;
 };
 
 }  // namespace taut

@@ -14,12 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/boundary_tests.hpp"
 #include "estimation/detectable_error.hpp"
 #include "estimation/expectation_propagation.hpp"
 #include "estimation/frame_check.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/length_trend.hpp"
 #include "estimation/prior_check.hpp"
+#include "estimation/target_tests.hpp"
 #include "estimation/variance_components.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
@@ -149,8 +151,8 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     const Observations observed = fit.observations();
     Observations scaled = observed;
     shown.frame =
-        check_frame(fit_net, fit.statics(), at, observed, fit.snooping().residual_scale());
-    std::vector<bool> left_out = fit.length_snooping().released();
+        check_frame(fit_net, fit.statics(), at, observed, fit.hypotheses().residual_scale);
+    std::vector<bool> left_out = fit.hypotheses().released_lengths();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
@@ -166,7 +168,7 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
         prior, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted),
         left_out);
     shown.prior = check_prior_by_lengths(prior, likelihood);
-    shown.prior.outliers = fit.length_snooping().given_up();
+    shown.prior.outliers = fit.hypotheses().given_up();
     set_mean(shown.prior, fit.statics(), scaled, fitted, left_out);
     if (given.hyperprior) {
         shown.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), observed, at,
@@ -182,13 +184,12 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
 /// (detectable)
 DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const SurveyFit& fit,
                                const Diagnostics& shown) {
-    DetectableErrors result{
-        .target = fit.snooping().detectable(),
-        .length = fit.length_snooping().detectable(net.interior_edges()),
-        .adjustable =
-            std::min(fit.length_snooping().detectable(net.adjustable_edges()),
-                     fit.boundary_snooping().detectable(BoundaryOutlier::Kind::adjustable_edge)),
-        .support = fit.boundary_snooping().detectable(BoundaryOutlier::Kind::support)};
+    const Hypotheses& tested = fit.hypotheses();
+    DetectableErrors result{.target = tested.detectable(Suspect::target),
+                            .length = fit.detectable_length(net.interior_edges()),
+                            .adjustable = std::min(fit.detectable_length(net.adjustable_edges()),
+                                                   tested.detectable(Suspect::adjustable_edge)),
+                            .support = tested.detectable(Suspect::support)};
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
     const double reach = arms.colwise().norm().maxCoeff();
     const double scale_std =
@@ -301,8 +302,8 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fi
 /// Reports the released interior edges and boundary. Adjustable edges of uncertain length are
 /// interior edges of the fit.
 void set_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
-    result.boundary_outliers = fit.boundary_snooping().outliers();
-    for (const LengthOutlier& outlier : fit.length_snooping().outliers()) {
+    result.boundary_outliers = boundary_outliers(fit.hypotheses());
+    for (const LengthOutlier& outlier : fit.length_outliers()) {
         if (std::ranges::binary_search(net.interior_edges(), outlier.edge)) {
             result.length_outliers.push_back(outlier);
             continue;
@@ -385,8 +386,8 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     result =
         identification_of(net, fit_net, survey, given.prior, knowledge, fit, fitted, observations);
     result.force_measurements = static_cast<int>(given.forces.measurements.size());
-    result.force_outliers = fit.snooping().force_outliers();
-    result.force_bias = fit.snooping().force_bias();
+    result.force_outliers = fit.force_outliers();
+    result.force_bias = force_bias(fit.hypotheses());
     result.prior = shown.estimate.value_or(exact_prior(given.prior));
     const LengthTrend trend = given.has_trend && fitted.converged
                                   ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
@@ -401,7 +402,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     result.frame_check = shown.frame;
     result.frame_check.scale_std = std::hypot(shown.frame.scale_std, survey.scale_std);
     set_outliers(result, net, fit);
-    result.boundary_not_released = fit.boundary_snooping().not_released_count();
+    result.boundary_not_released = fit.hypotheses().suspicious_count(Hypotheses::Family::boundary);
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
     if (fit.statics().common().has_frame()) {
@@ -455,7 +456,7 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
         result.status = IdentificationStatus::iteration_limit;
         result.message = why_not_converged(net, survey, prior);
     }
-    set_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
+    set_snooping(result, survey, fit.hypotheses(), fit.outliers(), fit.contradicts_too_many());
     std::vector<LengthLikelihood> likelihoods =
         length_likelihoods(fit_net, knowledge, fit.statics(), observations,
                            fitted.iterate);  // (covariance), (likelihood), (posterior)

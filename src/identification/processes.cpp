@@ -99,7 +99,8 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
         after.emplace(net, prior, survey, model.nominal_form,
                       default_false_alarm_rate);  // (conditioning), (snooping)
         deviation = after->mean();
-        set_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
+        set_snooping(result, survey, after->hypotheses(), after->outliers(),
+                     after->hypotheses().contradicts_too_many(Hypotheses::Family::targets));
     }
     const LengthEstimates estimates = at_survey != nullptr && !after
                                           ? *at_survey

@@ -10,7 +10,7 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "estimation/data_snooping.hpp"
+#include "estimation/hypotheses.hpp"
 #include "identification/mean_function.hpp"
 #include "simulated_survey.hpp"
 #include "support/finite_differences.hpp"
@@ -117,9 +117,9 @@ TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
     const int node = m_net.free_nodes()[7];
     wrong.form(1, node) += 0.01;
     const ConditionedForm after = condition(wrong, 0.001);
-    ASSERT_EQ(after.snooping().outliers().size(), 1U);
-    EXPECT_EQ(after.snooping().outliers()[0].node, node);
-    EXPECT_NEAR(after.snooping().outliers()[0].distance, 0.01, 0.002);
+    ASSERT_EQ(after.outliers().size(), 1U);
+    EXPECT_EQ(after.outliers()[0].node, node);
+    EXPECT_NEAR(after.outliers()[0].distance, 0.01, 0.002);
 
     // The form is that of the survey without it.
     Survey without = wrong;
@@ -138,12 +138,13 @@ TEST_F(FormConditioning, ReadmitsWhatFitsOnceOthersAreRejected) {
         wrong.form(k % 3, first) += 0.02;
         wrong.form(k % 3, second) += 0.02;
         const ConditionedForm after = condition(wrong, 0.001);
-        for (const Outlier& outlier : after.snooping().outliers()) {
+        for (const Outlier& outlier : after.outliers()) {
             EXPECT_TRUE(outlier.node == first || outlier.node == second) << "survey " << k;
-            EXPECT_GT(outlier.statistic, after.snooping().threshold());
+            EXPECT_GT(outlier.statistic, after.hypotheses().threshold(Suspect::target));
         }
-        EXPECT_FALSE(after.snooping().rejects_too_many()) << "survey " << k;
-        found += after.snooping().outliers().size();
+        EXPECT_FALSE(after.hypotheses().has_too_many(Hypotheses::Family::targets))
+            << "survey " << k;
+        found += after.outliers().size();
     }
     EXPECT_GT(found, 90U);  // of 100
 }
@@ -155,8 +156,8 @@ TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {
     for (int k = 0; k < surveys; ++k) {
         const Survey good = test::simulate(m_net, m_model.prior, 0.0003, 100 + k).survey;
         const ConditionedForm after = condition(good, 0.1);
-        alarms += after.snooping().outliers().empty() ? 0 : 1;
-        ratio += after.snooping().noise_ratio() / surveys;
+        alarms += after.outliers().empty() ? 0 : 1;
+        ratio += after.hypotheses().noise_ratio / surveys;
     }
     // 40 expected; five standard deviations about it.
     EXPECT_GT(alarms, 10);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "../identification/simulated_survey.hpp"
+#include "estimation/boundary_tests.hpp"
 #include "estimation/survey_fit.hpp"
 #include "taut/design/builtin_nets.hpp"
 
@@ -51,7 +52,7 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
         held.fit->statics().score_of_edge(edge, held.result.iterate, held.fit->observations());
     const double std = 1.0 / std::sqrt(score.information(0, 0));
     const double estimate = score.gradient(0) / score.information(0, 0);
-    const std::vector<BoundaryOutlier> found = freed.fit->boundary_snooping().outliers();
+    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit->hypotheses());
     ASSERT_EQ(found.size(), 1U) << estimate << " +- " << std;
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::adjustable_edge);
     EXPECT_EQ(found[0].index, edge);
@@ -110,7 +111,7 @@ TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
     const LinearisedStatics::Score score = kept.fit->statics().score_of_support(
         held, edges_at(held), kept.result.iterate, kept.fit->observations());
     const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
-    const std::vector<BoundaryOutlier> found = freed.fit->boundary_snooping().outliers();
+    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit->hypotheses());
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::support);
     EXPECT_EQ(found[0].index, held);

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/target_tests.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/small_dense.hpp"
+#include "taut/survey/covariance.hpp"
+
+namespace taut {
+namespace {
+
+/// A direction of which less than this part of the variance is redundant cannot be tested.
+constexpr double smallest_redundancy = 1e-3;
+
+/// Of three degrees of freedom.
+constexpr double median_of_chi_squared = 2.366;
+
+/// The noise given may be five times too small, squared; a survey that is farther off does not fit.
+constexpr double largest_scale_of_noise = 25.0;
+
+/// Largest median of the statistics by chance, over its expectation: five standard deviations, plus
+/// what a quarter of targets with gross errors adds.
+double largest_scale_by_chance(size_t targets) {
+    constexpr double std_of_median = 1.12;  // over the median, of one; pdf 0.188 at 2.366
+    constexpr double by_gross_errors = 1.5;
+    return by_gross_errors + 5.0 * std_of_median / std::sqrt(static_cast<double>(targets));
+}
+
+PlaceNoise noise_of(const Survey& survey, const Points& noise, int node, double inflation = 1.0) {
+    return {.std = inflation * noise.col(node), .correlations = survey.correlations_of(node)};
+}
+
+/// Of the targets in use.
+double median_statistic(std::span<const Hypothesis> targets) {
+    std::vector<double> in_use;
+    for (const Hypothesis& target : targets) {
+        if (!target.is_released()) {
+            in_use.push_back(target.statistic);
+        }
+    }
+    if (in_use.empty()) {
+        return 0.0;
+    }
+    const auto middle = in_use.begin() + static_cast<std::ptrdiff_t>(in_use.size() / 2);
+    std::nth_element(in_use.begin(), middle, in_use.end());
+    return *middle;
+}
+
+/// (robust-scale), (continuation)
+double residual_scale_of(std::span<const Hypothesis> targets, double inflation) {
+    const double scale = median_statistic(targets) / median_of_chi_squared;
+    if (inflation > 1.0) {
+        return std::max(scale, 1.0 / (inflation * inflation));
+    }
+    const bool is_given_too_small =
+        scale > largest_scale_by_chance(targets.size()) && scale < largest_scale_of_noise;
+    return is_given_too_small ? scale : 1.0;
+}
+
+/// T of a rejected target at another node's expected place, as if that were its own.
+double statistic_at(const Hypothesis& target, const Hypothesis& other, const Survey& survey,
+                    const Points& noise, double residual_scale) {
+    const Eigen::Vector3d place = survey.form.col(other.index) - other.deviation;
+    const Eigen::Matrix3d Q = covariance_of(noise_of(survey, noise, target.index)) +
+                              other.covariance -
+                              covariance_of(noise_of(survey, noise, other.index));
+    const Eigen::Vector3d residual = survey.form.col(target.index) - place;
+    return (residual.transpose() * symmetric_solution(Q, residual)).value() / residual_scale;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> measurement_hypotheses(const Survey& survey,
+                                               const std::vector<ForceMeasurement>& forces,
+                                               double false_alarm_rate) {
+    const double rate = survey.is_noisy() ? false_alarm_rate : 0.0;
+    const size_t tests = survey.surveyed.size() + forces.size();
+    const double target_threshold = snooping_threshold(rate, tests, 3);
+    const double force_threshold = snooping_threshold(rate, tests, 1);
+    std::vector<Hypothesis> result;
+    for (const int node : survey.surveyed) {
+        result.push_back({.kind = Suspect::target,
+                          .index = node,
+                          .nodes = {node, -1, -1},
+                          .degrees_of_freedom = 3,
+                          .threshold = target_threshold});
+    }
+    for (int k = 0; k < static_cast<int>(forces.size()); ++k) {
+        result.push_back({.kind = Suspect::force, .index = k, .threshold = force_threshold});
+    }
+    if (forces.size() > 1) {
+        result.push_back({.kind = Suspect::force_scale, .threshold = force_threshold});
+    }
+    return result;
+}
+
+void test_targets(Hypotheses& hypotheses, const Survey& survey, const Points& noise,
+                  const Points& fitted_form, const FormCovariance& covariance, double inflation) {
+    const std::span<Hypothesis> targets = hypotheses.of(Suspect::target);
+    std::vector<double> kept(targets.size(), 0.0);
+    double squares = 0.0;
+    double redundancy = 0.0;
+    for (size_t i = 0; i < targets.size(); ++i) {
+        Hypothesis& target = targets[i];
+        const int node = target.index;
+        const bool is_rejected = target.is_released();
+        kept[i] = target.statistic;
+        target.test = is_rejected ? Hypothesis::Test::released : Hypothesis::Test::in_use;
+        target.deviation = survey.form.col(node) - fitted_form.col(node);
+        // In units of the noise, Sigma = L L': L^-1 Q L'^-1 = I -+ L^-1 C L'^-1.
+        const PlaceNoise measured = noise_of(survey, noise, node, inflation);
+        const Eigen::Matrix3d whiten = whitening_of(measured);
+        const Eigen::Matrix3d C = covariance(node);
+        const Eigen::Vector3d e = whiten * target.deviation;
+        const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() +
+                                  (is_rejected ? 1.0 : -1.0) * (whiten * C * whiten.transpose());
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
+        Eigen::Matrix3d testable = Eigen::Matrix3d::Zero();  // Q without directions not tested
+        target.statistic = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const double variance = eigen.eigenvalues()(k);
+            if (variance > smallest_redundancy) {
+                const Eigen::Vector3d direction = eigen.eigenvectors().col(k);
+                const double along = direction.dot(e);
+                target.statistic += along * along / variance;  // (snooping)
+                testable += variance * direction * direction.transpose();
+            }
+        }
+        if (is_rejected) {
+            target.covariance = covariance_of(noise_of(survey, noise, node)) + C;
+        } else {
+            target.noncentrality = whiten.transpose() * testable * whiten;
+            squares += e.squaredNorm();
+            redundancy += Q.trace();  // (redundancy)
+        }
+    }
+    const double scale = residual_scale_of(targets, inflation);
+    for (size_t i = 0; i < targets.size(); ++i) {
+        const bool is_kept = targets[i].state == Hypothesis::State::released_for_good;
+        targets[i].statistic = is_kept ? kept[i] : targets[i].statistic / scale;
+        targets[i].noncentrality /= scale;
+    }
+    hypotheses.residual_scale = scale;
+    hypotheses.noise_ratio = redundancy > 0.0 ? std::sqrt(squares / redundancy) : 0.0;
+}
+
+void test_forces(Hypotheses& hypotheses, const std::vector<ForceMeasurement>& forces,
+                 const Eigen::VectorXd& tensions, const Eigen::VectorXd& variances,
+                 const SumVariance& sum_variance, double inflation) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(tensions.size());
+    double along = 0.0;  // c' W e, c the measured tensions
+    double known = 0.0;  // c' W c
+    int in_use = 0;
+    for (Hypothesis& hypothesis : hypotheses.of(Suspect::force)) {
+        const ForceMeasurement& force = forces[hypothesis.index];
+        const bool is_rejected = hypothesis.is_released();
+        const double noise = std::pow(inflation * force.std, 2);
+        const double variance = noise + (is_rejected ? 1.0 : -1.0) * variances(force.edge);
+        const double residual = force.tension - tensions(force.edge);
+        hypothesis.test = is_rejected ? Hypothesis::Test::released : Hypothesis::Test::in_use;
+        hypothesis.deviation(0) = residual;
+        hypothesis.covariance(0, 0) = variance;
+        hypothesis.statistic = variance > smallest_redundancy * noise
+                                   ? residual * residual / variance / hypotheses.residual_scale
+                                   : 0.0;  // (snooping)
+        if (!is_rejected) {
+            weights(force.edge) = force.tension / noise;
+            along += force.tension * residual / noise;
+            known += force.tension * force.tension / noise;
+            ++in_use;
+        }
+    }
+    for (Hypothesis& scale : hypotheses.of(Suspect::force_scale)) {
+        if (scale.is_released()) {
+            continue;  // as it was when it was released
+        }
+        constexpr double rounding = 1e-7;
+        const double redundant = in_use > 1 ? known - sum_variance(weights) : 0.0;
+        scale.test = Hypothesis::Test::in_use;
+        scale.statistic = 0.0;
+        if (redundant > rounding * known) {  // (common-bias)
+            scale.deviation(0) = along / redundant;
+            scale.covariance(0, 0) = 1.0 / redundant;
+            scale.statistic = along * along / redundant / hypotheses.residual_scale;
+        }
+    }
+}
+
+std::vector<Outlier> target_outliers(const Hypotheses& hypotheses, const Survey& survey,
+                                     const Points& noise) {
+    const std::vector<Hypothesis> found = hypotheses.found(Suspect::target);
+    std::vector<Outlier> result;
+    for (const Hypothesis& one : found) {
+        Outlier outlier{
+            .node = one.index, .distance = one.deviation.norm(), .statistic = one.statistic};
+        double least = one.threshold;
+        for (const Hypothesis& other : found) {
+            if (&one == &other || one.test != Hypothesis::Test::released ||
+                other.test != Hypothesis::Test::released) {
+                continue;
+            }
+            const double statistic = std::max(
+                statistic_at(one, other, survey, noise, hypotheses.residual_scale),
+                statistic_at(other, one, survey, noise, hypotheses.residual_scale));  // (swapped)
+            if (statistic < least) {
+                least = statistic;
+                outlier.swapped_with = other.index;
+            }
+        }
+        result.push_back(outlier);
+    }
+    return result;
+}
+
+std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
+                                         const std::vector<ForceMeasurement>& forces) {
+    std::vector<ForceOutlier> result;
+    for (const Hypothesis& one : hypotheses.found(Suspect::force)) {
+        const ForceMeasurement& force = forces[one.index];
+        result.push_back({.edge = force.edge,
+                          .measured = force.tension,
+                          .expected = force.tension - one.deviation(0),
+                          .statistic = one.statistic});
+    }
+    return result;
+}
+
+std::optional<ForceBias> force_bias(const Hypotheses& hypotheses) {
+    const std::vector<Hypothesis> found = hypotheses.found(Suspect::force_scale);
+    return found.empty() ? std::nullopt
+                         : std::optional<ForceBias>(
+                               {.part = found[0].deviation(0), .std = found[0].std()(0)});
+}
+
+}  // namespace taut
