@@ -209,8 +209,9 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
         const double of_edge = of_net.size() > 0 ? of_net(edge) : of_steel;
         expansion += of_edge * net.unstressed_lengths()(edge) / net.interior_edge_count();
     }
-    if (expansion > 0.0) {
-        result.temperature = mean / expansion;
+    constexpr double largest_difference = 100.0;  // no site has more [K]
+    if (const double temperature = mean / expansion; temperature <= largest_difference) {
+        result.temperature = temperature;
     }
     return result;
 }

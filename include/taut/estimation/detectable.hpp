@@ -22,7 +22,7 @@ struct DetectableErrors {
     /// Of the survey's scale, relative [-].
     double scale = std::numeric_limits<double>::infinity();
     /// Difference of temperature of all interior edges, with 12e-6/K where the net gives no
-    /// expansion [K].
+    /// expansion; infinite above 100 K, which no site has [K].
     double temperature = std::numeric_limits<double>::infinity();
 };
 
