@@ -22,7 +22,17 @@ def test_the_papers_experiment_is_that_of_the_program(net, tmp_path):
 
 def test_simulated_jobs_are_those_of_the_program(net, tmp_path):
     net.save(tmp_path / "net.json")
-    command = ["taut", "control", "net.json", "--tension", "0.1kN..40kN", "--turn", "5mm", "--step", "1/4"]
+    command = [
+        "taut",
+        "control",
+        "net.json",
+        "--tension",
+        "0.1kN..40kN",
+        "--turn",
+        "5mm",
+        "--step",
+        "1/4",
+    ]
     few = {"draws": 20, "rounds": 1, "trials": 2}
     given = [text for name, value in few.items() for text in (f"--{name}", str(value))]
     subprocess.run([*command, *given, "-o", "out"], cwd=tmp_path, check=True, capture_output=True)
