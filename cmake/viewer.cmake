@@ -20,16 +20,17 @@ if(TAUT_BUILD_VIEWER)
     list(APPEND viewer_sources ${PROJECT_SOURCE_DIR}/LICENSE)
     # What only type checks and tests need is left out, unless there are tests.
     set(omit --omit=dev)
-    set(viewer_packages ${viewer_dir}/node_modules/.package-lock.json)
+    set(package three)
     if(TAUT_BUILD_TESTS)
         set(omit)
-        set(viewer_packages ${viewer_dir}/node_modules/playwright-core/package.json)
+        set(package playwright-core)
     endif()
+    set(viewer_packages ${PROJECT_BINARY_DIR}/viewer/packages.${package})
+    set(packages_script ${PROJECT_SOURCE_DIR}/cmake/viewer_packages.cmake)
     add_custom_command(OUTPUT ${viewer_packages}
-        COMMAND ${TAUT_NPM} ci ${omit} --ignore-scripts --no-audit --no-fund --loglevel=error
-        COMMAND ${CMAKE_COMMAND} -E touch ${viewer_packages}
-        WORKING_DIRECTORY ${viewer_dir}
-        DEPENDS ${viewer_dir}/package-lock.json
+        COMMAND ${CMAKE_COMMAND} -DNPM=${TAUT_NPM} -DFOLDER=${viewer_dir} -DOMIT=${omit} -DPACKAGE=${package}
+            -DSTAMP=${viewer_packages} -P ${packages_script}
+        DEPENDS ${viewer_dir}/package-lock.json ${packages_script}
         COMMENT "Installing the viewer's locked npm packages")
     add_custom_command(OUTPUT ${viewer_page}
         COMMAND ${TAUT_NODE} build.mjs ${viewer_page}

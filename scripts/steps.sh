@@ -27,13 +27,23 @@ print_times() {
 
 beside() { # function
     lane=$(mktemp -d)
+    set -m  # a process group of its own, which can be ended whole
     (
         step_rows=()
         trap 'printf "%s\n" "${step_rows[@]}" >"$lane/rows"' EXIT
         "$1"
-    ) >"$lane/log" 2>&1 &
+    ) >"$lane/log" 2>&1 </dev/null &
     lane_process=$!
-    trap 'kill $lane_process 2>/dev/null || true' EXIT
+    set +m
+    trap end_lane EXIT
+}
+
+# Where a step fails while others run beside it.
+end_lane() {
+    kill -- -"$lane_process" 2>/dev/null || true
+    wait "$lane_process" 2>/dev/null || true
+    cat "$lane/log"
+    rm -rf "$lane"
 }
 
 join() {

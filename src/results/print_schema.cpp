@@ -6,6 +6,9 @@
 #include "taut/files/file.hpp"
 #include "taut/results/result_file.hpp"
 
-int main(int /*argc*/, char** argv) {
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        return 2;
+    }
     taut::write_file(argv[1], taut::result_schema());
 }
