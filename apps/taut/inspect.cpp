@@ -235,8 +235,9 @@ void print(const CableNet& net, const Inspection& it) {
 
 void run(const InspectOptions& options) {
     const CableNet net = read_net(options.net).net;
-    const LengthPrior prior =
-        options.survey.empty() ? LengthPrior{} : prior_for(net, options.prior, options.net);
+    const LengthPrior prior = options.survey.empty()
+                                  ? parse_length_prior(options.prior)  // checked, and not used
+                                  : prior_for(net, options.prior, options.net);
     check_outputs({options.names}, {options.net, options.survey, options.control});
     const Inspection inspection = inspect(net);
     warn(options.net, inspection.warnings);

@@ -52,15 +52,16 @@ FormTarget target_of(const CableNet& net, const PlanCommand& command) {
     GivenTarget given = read_target(net, command.target, command.target_unit);
     given.weights = command.weights;
     given.objective = command.objective;
-    if (!command.node_weights.empty()) {
-        given.node_weights =
-            parse_node_weights(net, read_file(command.node_weights), command.node_weights);
-    }
-    if (given.triangles.empty()) {
-        return taut::target_of(net, given);
-    }
-    FormTarget target = naming_file(command.target, [&] { return taut::target_of(net, given); });
+    const bool is_surface = !given.triangles.empty();
+    FormTarget target =
+        is_surface ? naming_file(command.target, [&] { return taut::target_of(net, given); })
+                   : taut::target_of(net, given);
     warn(command.target, target_warnings(net, target));
+    if (!command.node_weights.empty()) {
+        const std::vector<NodeWeights> weights =
+            parse_node_weights(net, read_file(command.node_weights), command.node_weights);
+        naming_file(command.node_weights, [&] { target.set_weights(weights); });
+    }
     return target;
 }
 

@@ -85,7 +85,8 @@ DeviationWeights parse_weights(const std::string& text) {
         const size_t colon = std::min(one.find(':'), one.size());
         const std::string_view name = one.substr(0, colon);
         const std::optional<double> value = number_in(one.substr(std::min(colon + 1, one.size())));
-        if ((name != "normal" && name != "tangential") || !value) {
+        if ((name != "normal" && name != "tangential") || !value ||
+            !(*value >= 0.0 && std::isfinite(*value))) {
             throw std::invalid_argument(fmt::format(
                 "--weights is '{}', expected weights of 0 or more such as normal:1,tangential:0.1",
                 text));

@@ -124,9 +124,15 @@ void add_tension(PlanRequest& request, const std::optional<RangeLike>& given, co
     };
     for_each_group<Range>(*given, name, "(least, most), either of which may be None",
                           [&](std::optional<std::string> group, const Range& range) {
-                              request.tension.push_back({.least = bound(range.first),
-                                                         .most = bound(range.second),
-                                                         .group = std::move(group)});
+                              const TensionRange given_range{.least = bound(range.first),
+                                                             .most = bound(range.second),
+                                                             .group = std::move(group)};
+                              try {
+                                  check_tension_range(given_range);
+                              } catch (const RequestError& error) {
+                                  throw RequestError(name, error.problem());
+                              }
+                              request.tension.push_back(given_range);
                           });
 }
 

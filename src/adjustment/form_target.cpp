@@ -96,6 +96,17 @@ FormTarget FormTarget::at(const Points& form) const {
     return result;
 }
 
+void FormTarget::set_weights(const std::vector<NodeWeights>& of_nodes) {
+    Eigen::VectorXd normal = m_normal_weight;
+    Eigen::VectorXd tangential = m_tangential_weight;
+    for (const NodeWeights& of : of_nodes) {
+        check_index("node", of.node, normal.size());
+        normal(of.node) = of.normal;
+        tangential(of.node) = of.tangential;
+    }
+    set_weights(std::move(normal), std::move(tangential));
+}
+
 void FormTarget::set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential) {
     if (normal.size() != m_places.cols() || tangential.size() != m_places.cols()) {
         throw std::invalid_argument(fmt::format("{} and {} weights for {} nodes", normal.size(),
@@ -158,14 +169,7 @@ FormTarget target_of(const CableNet& net, const GivenTarget& given) {
             : FormTarget(net, std::make_shared<const TargetSurface>(given.points, given.triangles),
                          given.weights, given.objective);
     if (!given.node_weights.empty()) {
-        Eigen::VectorXd normal = target.normal_weights();
-        Eigen::VectorXd tangential = target.tangential_weights();
-        for (const NodeWeights& of : given.node_weights) {
-            check_index("node", of.node, normal.size());
-            normal(of.node) = of.normal;
-            tangential(of.node) = of.tangential;
-        }
-        target.set_weights(std::move(normal), std::move(tangential));
+        target.set_weights(given.node_weights);
     }
     return target;
 }

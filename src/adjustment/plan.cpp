@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/request_error.hpp"
 
 #include <fmt/core.h>
 
@@ -81,9 +82,8 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
                                                     coarsest_pitch));
         }
         if (!(options.turn->smallest >= 0.0 && options.turn->smallest <= 1.0)) {
-            throw std::invalid_argument(
-                fmt::format("the smallest part of a turn is {:g}, expected a part of 1",
-                            options.turn->smallest));
+            throw RequestError("step", fmt::format("is {:g} of a turn, expected a part of 1",
+                                                   options.turn->smallest));
         }
     }
     if (built.length_draws.cols() > 0 &&

@@ -94,14 +94,19 @@ std::vector<Hypothesis> boundary_hypotheses(const CableNet& net, double false_al
     const double support_threshold =
         snooping_threshold(false_alarm_part_of_supports * false_alarm_rate, count, 3);
     std::vector<Hypothesis> result;
-    for (const int edge : net.adjustable_edges()) {
+    result.reserve(count);
+    std::vector<int> edges = net.adjustable_edges();  // in any order, as the supports
+    std::ranges::sort(edges);
+    for (const int edge : edges) {
         const auto [s, t] = net.edges()[edge];
         result.push_back({.kind = Suspect::adjustable_edge,
                           .index = edge,
                           .nodes = {s, t, -1},
                           .threshold = edge_threshold});
     }
-    for (const int node : net.supports()) {
+    std::vector<int> supports = net.supports();
+    std::ranges::sort(supports);
+    for (const int node : supports) {
         result.push_back({.kind = Suspect::support,
                           .index = node,
                           .nodes = {node, -1, -1},

@@ -170,6 +170,7 @@ bool Hypotheses::revise(BoundaryTest boundary) {
     has_changed = has_changed || readmit(all);
     if (has_too_many(Family::lengths)) {
         give_up_lengths();
+        has_changed = true;
     }
     return has_changed;
 }
@@ -312,7 +313,6 @@ std::vector<int> Hypotheses::released(Suspect kind) const {
             result.push_back(hypothesis.index);
         }
     }
-    std::ranges::sort(result);  // supports may come in any order
     return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -571,8 +572,7 @@ Iterate SurveyFit::with_released(Iterate iterate) const {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
     values.head(common.kept_count()) = iterate.common.head(common.kept_count());
     iterate.common = std::move(values);
-    if (common.moves_supports() &&
-        std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) <= 0.0) {
+    if (std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) <= 0.0) {
         const Points motion = common.support_motion(iterate.common);
         for (const int node : m_net.supports()) {
             iterate.form.col(node) = m_net.nodes().col(node) + motion.col(node);

@@ -81,6 +81,7 @@ std::vector<Hypothesis> measurement_hypotheses(const Survey& survey,
     const double target_threshold = snooping_threshold(rate, tests, 3);
     const double force_threshold = snooping_threshold(rate, tests, 1);
     std::vector<Hypothesis> result;
+    result.reserve(tests + 1);
     for (const int node : survey.surveyed) {
         result.push_back({.kind = Suspect::target,
                           .index = node,

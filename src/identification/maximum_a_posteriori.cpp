@@ -210,7 +210,7 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
         expansion += of_edge * net.unstressed_lengths()(edge) / net.interior_edge_count();
     }
     constexpr double largest_difference = 100.0;  // no site has more [K]
-    if (const double temperature = mean / expansion; temperature <= largest_difference) {
+    if (const double temperature = mean / std::abs(expansion); temperature <= largest_difference) {
         result.temperature = temperature;
     }
     return result;

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "net/rounded_length.hpp"
 #include "taut/io/net_json.hpp"

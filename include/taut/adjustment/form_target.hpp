@@ -33,7 +33,7 @@ struct NodeWeights {
     double tangential = 0.0;  ///< of the deviation across it, 0 or more
 };
 
-/// A target as it is given, before it is held against a net: target_of().
+/// A target as it is given, before it is checked against a net: target_of().
 struct GivenTarget {
     Points points;  ///< places of the nodes (3 x n), or vertices of a surface (3 x v) [m]
     std::vector<std::array<int, 3>> triangles = {};  ///< of a surface; empty: a form
@@ -77,6 +77,8 @@ public:
     /// Sets weights of single nodes (n each); those of supports are not read.
     /// @throws std::invalid_argument as the constructor; the weights are then as before
     void set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential);
+    /// The same of some nodes; all others keep theirs.
+    void set_weights(const std::vector<NodeWeights>& of_nodes);
 
     /// Sets other places and keeps the normals.
     /// @throws std::invalid_argument for a wrong size, places that are not finite, and a surface

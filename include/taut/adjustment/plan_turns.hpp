@@ -44,11 +44,11 @@ struct ResolvedRequest {
 /// The edges that a request allows to turn, and all limits by edge and support.
 /// @param net as designed
 /// @param built as it stands, the same net with other lengths and loads: not checked
-/// @throws RequestError for a stroke or total stroke that is not positive, a turnbuckle that is
-///   beyond the total stroke already, strokes of an edge that is not adjustable or of none that may
-///   be turned, a group that the net does not have, a range of tensions whose lower end is negative
-///   or not below its upper, parts above 1 or without breaking loads, and a limit of reactions at a
-///   group without support
+/// @throws RequestError for a stroke or total stroke that is not positive, a turnbuckle that
+///   is further from its designed length than the total stroke, strokes of an edge that is not
+///   adjustable or of none that may be turned, a group that the net does not have, a range of
+///   tensions whose lower end is negative or not below its upper, parts above 1 or without breaking
+///   loads, and a limit of reactions at a group without support
 /// @throws std::invalid_argument for added loads of a wrong size
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT ResolvedRequest resolve(const CableNet& net,
                                                              const CableNet& built,
