@@ -348,7 +348,7 @@ TEST_F(PlanCommand, RefusesAFailedIdentificationUnlessThatIsAccepted) {
 
 TEST_F(PlanCommand, RefusesWrongOptionsAndFiles) {
     expect_refused({"--tension", "1kN..@ridge"}, "--tension names the group 'ridge'");
-    expect_refused({"--turn", "5mm", "--step", "5/4"}, "the smallest part of a turn is 1.25");
+    expect_refused({"--turn", "5mm", "--step", "5/4"}, "--step is 1.25 of a turn");
     expect_refused({"--turn", "5mm", "--step", "1/0"}, "expected a part of a turn");
     expect_refused({"--step", "1/4"}, "--turn");
     expect_refused({"--stroke=-5mm"}, "--stroke is -5mm, expected more than 0");
