@@ -61,7 +61,7 @@ TensionRange parse_tension_range(const std::string& text) {
     std::string range = text;
     std::optional<std::string> group = take_group(range);
     const size_t dots = range.find("..");
-    if (dots == std::string::npos) {
+    if (dots == std::string::npos || range.find("...") != std::string::npos) {
         throw std::invalid_argument(fmt::format(
             "--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%", text));
     }

@@ -81,9 +81,11 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
                                                     options.turn->pitch, finest_pitch,
                                                     coarsest_pitch));
         }
-        if (!(options.turn->smallest >= 0.0 && options.turn->smallest <= 1.0)) {
-            throw RequestError("step", fmt::format("is {:g} of a turn, expected a part of 1",
-                                                   options.turn->smallest));
+        constexpr double smallest_part = 1e-3;
+        if (options.turn->smallest != 0.0 &&
+            !(options.turn->smallest >= smallest_part && options.turn->smallest <= 1.0)) {
+            throw RequestError("step", fmt::format("is {:g} of a turn, expected {:g} to 1",
+                                                   options.turn->smallest, smallest_part));
         }
     }
     if (built.length_draws.cols() > 0 &&

@@ -173,7 +173,10 @@ EpochStep EpochChain::step_from(size_t k) const {
 void EpochChain::let_go(const std::vector<Changes>& changes) {
     for (size_t k = 0; k < changes.size(); ++k) {
         for (const LengthChange& change : changes[k].lengths) {
-            add_variance(k, change.edge, width_of(change));
+            // As wide as it may be given, so that what is written can be read.
+            add_variance(k, change.edge,
+                         is_adjustable(change.edge) ? std::min(width_of(change), m_widest_turn)
+                                                    : width_of(change));
         }
         for (const int edge :
              changes[k].excess_actuator_std > 0.0 ? turned_edges(k) : std::vector<int>()) {

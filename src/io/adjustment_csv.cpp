@@ -58,6 +58,11 @@ Points parse_loads(const CableNet& net, std::string_view text, const std::string
         const int node = nodes.unique_index(row);
         const auto [x, y, z] = numbers_in<3>(table, row, largest_load);
         loads.col(node) << x, y, z;
+        if (net.free_index(node) < 0 && !loads.col(node).isZero(0.0)) {
+            table.fail(row, fmt::format("node {} is a support, which takes a load by itself; "
+                                        "expected a free node",
+                                        quote(table.text(row, 0))));
+        }
     }
     return loads;
 }

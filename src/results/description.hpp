@@ -89,17 +89,17 @@ std::vector<std::string> words_of_enum() {
 /// The type of the values inside lists and optionals.
 template <class V>
 struct Inside {
-    using type = V;
+    using Type = V;
     static constexpr bool is_list = false, is_optional = false;
 };
 template <class V>
 struct Inside<std::vector<V>> {
-    using type = V;
+    using Type = V;
     static constexpr bool is_list = true, is_optional = false;
 };
 template <class V>
 struct Inside<std::optional<V>> {
-    using type = V;
+    using Type = V;
     static constexpr bool is_list = false, is_optional = true;
 };
 
@@ -113,9 +113,9 @@ constexpr bool is_in_words =
 template <class V>
 Rule rule_of() {
     if constexpr (Inside<V>::is_list) {
-        return Rule::list_of(rule_of<typename Inside<V>::type>());
+        return Rule::list_of(rule_of<typename Inside<V>::Type>());
     } else if constexpr (Inside<V>::is_optional) {
-        return rule_of<typename Inside<V>::type>();  // whether null is allowed depends on the field
+        return rule_of<typename Inside<V>::Type>();  // whether null is allowed depends on the field
     } else if constexpr (std::is_same_v<V, bool>) {
         return Rule::flag();
     } else if constexpr (std::is_same_v<V, std::uint64_t>) {
@@ -143,7 +143,7 @@ ResultJson json_of(const V& value, const Context& context) {
     if constexpr (Inside<V>::is_list) {
         ResultJson list = ResultJson::array();
         for (const auto& entry : value) {
-            list.push_back(json_of<typename Inside<V>::type>(entry, context));
+            list.push_back(json_of<typename Inside<V>::Type>(entry, context));
         }
         return list;
     } else if constexpr (Inside<V>::is_optional) {
@@ -231,25 +231,25 @@ public:
     /// A key that each result has.
     /// @param about the rule where it does not follow from the type, then what it is, with its unit
     template <class Get, class... About>
-    Description& key(const char* name, Get get, const About&... about) {
+    Description& key(const char* name, const Get& get, const About&... about) {
         return add(name, get, rule_for<Get>(true, about...), Presence::always);
     }
     /// A key that results of older versions lack.
     template <class Get, class... About>
-    Description& newer(const char* name, Get get, const About&... about) {
+    Description& newer(const char* name, const Get& get, const About&... about) {
         return add(name, get, rule_for<Get>(true, about...), Presence::newer);
     }
     /// A key that is left out where it would be null.
     template <class Get, class... About>
-    Description& optional(const char* name, Get get, const About&... about) {
+    Description& optional(const char* name, const Get& get, const About&... about) {
         return add(name, get, rule_for<Get>(false, about...), Presence::where_known);
     }
     /// An object inside this one that has no struct of its own.
-    Description& object(const char* key, Description inner, const char* text = "") {
-        return group(key, std::move(inner), text, Presence::always);
+    Description& object(const char* key, const Description& inner, const char* text = "") {
+        return group(key, inner, text, Presence::always);
     }
-    Description& newer_object(const char* key, Description inner, const char* text = "") {
-        return group(key, std::move(inner), text, Presence::newer);
+    Description& newer_object(const char* key, const Description& inner, const char* text = "") {
+        return group(key, inner, text, Presence::newer);
     }
 
     [[nodiscard]] ResultJson write(const T& value, const Context& context) const {
@@ -304,7 +304,7 @@ private:
     }
 
     template <class Get>
-    Description& add(const char* name, Get get, const Rule& rule, Presence presence) {
+    Description& add(const char* name, const Get& get, const Rule& rule, Presence presence) {
         Field field{.key = name,
                     .presence = presence,
                     .write =
@@ -325,7 +325,8 @@ private:
         m_rule.add(name, rule, presence == Presence::always);
         return *this;
     }
-    Description& group(const char* key, Description inner, const char* text, Presence presence) {
+    Description& group(const char* key, const Description& inner, const char* text,
+                       Presence presence) {
         const Rule rule = inner.rule().with_text(text);
         m_fields.push_back(
             {.key = key,

@@ -171,6 +171,7 @@ Description<LengthCovariance> describe(const LengthCovariance* /*type*/) {
         .key("ids",
              [](const Covariance& lengths, const Context& c) {
                  std::vector<std::string> ids;
+                 ids.reserve(lengths.edges.size());
                  for (const int edge : lengths.edges) {
                      ids.push_back(c.net->edge_id(edge));
                  }

@@ -198,6 +198,9 @@ std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableN
 Trust read_trust(const JsonValue& root) {
     Trust trust;
     const auto given = root.find("trust");
+    if (!given && root.find("findings")) {
+        static_cast<void>(root.require("trust", "the verdict of all findings"));
+    }
     if (!given) {
         trust.findings.push_back({.kind = Trust::Finding::Kind::other,
                                   .severity = Trust::Verdict::doubtful,
@@ -211,7 +214,7 @@ Trust read_trust(const JsonValue& root) {
         for (const auto& reason : read_or_default<std::vector<std::string>>(*given, "reasons")) {
             trust.findings.push_back({.kind = Trust::Finding::Kind::other,
                                       .severity = read<Trust::Verdict>(member(*given, "verdict")),
-                                      .reason = reason + ".",
+                                      .reason = reason.ends_with('.') ? reason : reason + ".",
                                       .next = {}});
         }
     }

@@ -93,7 +93,7 @@ Rule ObjectRule::rule() const {
     if (!m_required.empty()) {
         object["required"] = m_required;
     }
-    const Rule inner = Rule(object, m_definitions).with_text(m_text);
+    Rule inner = Rule(object, m_definitions).with_text(m_text);
     if (m_name.empty()) {
         return inner;
     }

@@ -291,6 +291,15 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
     EXPECT_GT(test::coverage(result, first.deviations), 0.9);
 }
 
+TEST(Epochs, AreNoWiderUncertainThanAnEdgeMayBe) {
+    const std::vector<EdgeTurned> done{{.edge = net().adjustable_edges()[3], .stroke = -12e-3}};
+    const Job job = job_of(7, {}, done, Eigen::VectorXd::Zero(net().interior_edge_count()));
+    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    for (const ParameterEstimate& estimate : result.uncertain) {
+        EXPECT_NO_THROW(check_uncertain_parameters(net(), {estimate.parameter}));
+    }
+}
+
 /// The same survey in other digits, and in another frame: its errors are in both.
 TEST(Epochs, NameOneSurveyGivenTwice) {
     const std::vector<EdgeTurned> turned = some_turns(4);

@@ -126,6 +126,9 @@ TEST(ResultFile, OfAnOlderTautLacksPriorAndFrame) {
     const ResultFile file = parse_result(result.dump(), "result.json");
     EXPECT_EQ(std::get<IdentificationResult>(file.content).trust.verdict(),
               Trust::Verdict::doubtful);  // its checks are not known
+    result["findings"] = json::array();
+    EXPECT_THAT([&] { static_cast<void>(parse_result(result.dump(), "result.json")); },
+                testing::ThrowsMessage<InputError>(testing::HasSubstr("trust")));
 }
 
 TEST(ResultFile, MarksTargetsThatWereLeftOut) {
