@@ -232,17 +232,20 @@ public:
     /// @param about the rule where it does not follow from the type, then what it is, with its unit
     template <class Get, class... About>
     Description& key(const char* name, const Get& get, const About&... about) {
-        return add(name, get, rule_for<Get>(true, about...), Presence::always);
+        return add<std::decay_t<Get>>(name, get, rule_for<std::decay_t<Get>>(true, about...),
+                                      Presence::always);
     }
     /// A key that results of older versions lack.
     template <class Get, class... About>
     Description& newer(const char* name, const Get& get, const About&... about) {
-        return add(name, get, rule_for<Get>(true, about...), Presence::newer);
+        return add<std::decay_t<Get>>(name, get, rule_for<std::decay_t<Get>>(true, about...),
+                                      Presence::newer);
     }
     /// A key that is left out where it would be null.
     template <class Get, class... About>
     Description& optional(const char* name, const Get& get, const About&... about) {
-        return add(name, get, rule_for<Get>(false, about...), Presence::where_known);
+        return add<std::decay_t<Get>>(name, get, rule_for<std::decay_t<Get>>(false, about...),
+                                      Presence::where_known);
     }
     /// An object inside this one that has no struct of its own.
     Description& object(const char* key, const Description& inner, const char* text = "") {

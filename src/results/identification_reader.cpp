@@ -198,19 +198,20 @@ std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableN
 Trust read_trust(const JsonValue& root) {
     Trust trust;
     const auto given = root.find("trust");
-    if (!given && root.find("findings")) {
-        static_cast<void>(root.require("trust", "the verdict of all findings"));
+    const auto findings = root.find("findings");
+    if (findings) {
+        trust.findings = read<std::vector<Trust::Finding>>(*findings);
     }
     if (!given) {
-        trust.findings.push_back({.kind = Trust::Finding::Kind::other,
-                                  .severity = Trust::Verdict::doubtful,
-                                  .reason = "This result does not say what its checks found.",
-                                  .next = "Identify again."});
+        if (trust.findings.empty()) {
+            trust.findings.push_back({.kind = Trust::Finding::Kind::other,
+                                      .severity = Trust::Verdict::doubtful,
+                                      .reason = "This result does not say what its checks found.",
+                                      .next = "Identify again."});
+        }
         return trust;
     }
-    if (root.find("findings")) {
-        trust.findings = read_or_default<std::vector<Trust::Finding>>(root, "findings");
-    } else if (given->find("reasons")) {  // of a version before 0.3
+    if (!findings && given->find("reasons")) {  // of a version before 0.3
         for (const auto& reason : read_or_default<std::vector<std::string>>(*given, "reasons")) {
             trust.findings.push_back({.kind = Trust::Finding::Kind::other,
                                       .severity = read<Trust::Verdict>(member(*given, "verdict")),
