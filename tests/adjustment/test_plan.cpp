@@ -423,8 +423,10 @@ TEST(Plan, RefusesOptionsOutOfRange) {
     expect_refused({.actuator_std = 1.0}, "a quarter of the shortest edge");
     expect_refused({.turn = TurnSize{.pitch = 5.0, .smallest = 0.25}}, "a turn is 5 m");
     expect_refused({.turn = TurnSize{.pitch = 0.0, .smallest = 0.25}}, "a turn is 0");
-    expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = 2.0}}, "of a turn, expected 0.001 to 1");
-    expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = -0.25}}, "of a turn, expected 0.001 to 1");
+    expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = 2.0}},
+                   "of a turn, expected 0.001 to 1");
+    expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = -0.25}},
+                   "of a turn, expected 0.001 to 1");
     EXPECT_NO_THROW(static_cast<void>(planned({.turn = TurnSize{.pitch = 5e-3, .smallest = 0.0}})));
     expect_refused({.tolerance = 0.0}, "tolerance is 0");
     built.length_draws = Eigen::MatrixXd::Ones(2, 50);
