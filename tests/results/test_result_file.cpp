@@ -126,11 +126,9 @@ TEST(ResultFile, OfAnOlderTautLacksPriorAndFrame) {
     const ResultFile file = parse_result(result.dump(), "result.json");
     EXPECT_EQ(std::get<IdentificationResult>(file.content).trust.verdict(),
               Trust::Verdict::doubtful);  // its checks are not known
-    result["findings"] = {{{"kind", "survey_noise"},
-                           {"severity", "failed"},
-                           {"ids", json::array()},
-                           {"reason", "The survey scatters."},
-                           {"next", ""}}};
+    result["findings"] = json::parse(R"([{"kind": "slip", "severity": "failed", "ids": [],
+        "value": null, "std": null, "confounded_with": [], "remedy": null, "reason": "all",
+        "next": ""}])");
     const ResultFile failed = parse_result(result.dump(), "result.json");
     EXPECT_EQ(std::get<IdentificationResult>(failed.content).trust.verdict(),
               Trust::Verdict::failed);
