@@ -92,7 +92,8 @@ Args:
     hidden_part: part of the free nodes that is not surveyed.
     actuator_std: standard deviation of a stroke from the planned one [m].
     confidence: probability with which plans on identified lengths keep the limits.
-    prior, uncertain: of the nets as built, as of identify.
+    prior: of the length deviations of the nets as built.
+    uncertain: widths of what else is uncertain, as of identify.
     draws: posterior samples of each identification.
     rounds: number of surveys, each followed by its turns.
     trials: number of simulated nets.
