@@ -30,7 +30,7 @@ constexpr double far_too_small = 1.2;
 constexpr int a_few_of_boundary = 3;
 
 /// Of the lengths: so many outliers are named one by one only where the prior is too narrow.
-constexpr size_t many_lengths = 5;
+constexpr double many_lengths = 5;
 constexpr double many_of_lengths = 0.03;
 
 /// Of the targets: fewer are left out in a sound survey.
@@ -104,6 +104,13 @@ bool has_scale(const CableNet& net, const Survey& survey, const FrameCheck& chec
     return check.is_scaled() && furthest > negligible_scale * survey.rms_noise_std();
 }
 
+/// Whether so many lengths are outliers that the prior is too narrow rather than each cable wrong.
+bool has_narrow_prior(const Identification& result) {
+    const auto outliers = static_cast<double>(result.length_outliers.size());
+    return outliers >= many_lengths &&
+           outliers > many_of_lengths * static_cast<double>(result.edges.size());
+}
+
 /// (other-causes): the one that explains most.
 OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Identification& result) {
     const FrameCheck& frame = result.frame_check;
@@ -118,6 +125,13 @@ OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Ident
     }
     if (frame.is_moved()) {
         take(0.5 * frame.motion_statistic, "the frame of the survey");
+    }
+    if (has_narrow_prior(result)) {
+        double gain = 0.0;
+        for (const LengthOutlier& outlier : result.length_outliers) {
+            gain += 0.5 * outlier.statistic;
+        }
+        take(gain, "the prior of the lengths");
     }
     for (const ParameterSpread& spread : spreads_of(result.uncertain)) {
         if (spread.is_contradicted()) {
@@ -142,8 +156,14 @@ public:
         if (!is_noise_first) {
             test_uncertain();
         }
+        const bool is_prior_first = !is_noise_first && has_narrow_prior(m_result);
+        if (is_prior_first) {
+            test_prior();
+        }
         test_noise();
-        test_prior();
+        if (!is_prior_first) {
+            test_prior();
+        }
         test_lengths();
         test_boundary();
         test_targets();
@@ -310,7 +330,7 @@ private:
         }
         if (check.gain > 0.0 && PriorCheck{.gain = check.gain}.is_contradicted()) {
             const std::string likeliest = prior_text(check.likeliest);
-            const bool is_likeliest = check.gain > m_other_cause.gain;
+            const bool is_likeliest = check.gain > m_other_cause.gain || has_narrow_prior(m_result);
             // Of a few dozen lengths it is the likeliest by chance, and too sure where it is not
             // true.
             const bool is_by_chance = check.likeliest.kind == LengthPrior::Kind::bimodal &&
@@ -338,10 +358,8 @@ private:
                                        "errors of cutting.",
                                        check.outliers, used),
                  .next = "Check the prior, the net and the frame."});
-        } else if (const size_t outliers = m_result.length_outliers.size();
-                   outliers >= many_lengths &&
-                   static_cast<double>(outliers) >
-                       many_of_lengths * static_cast<double>(m_result.edges.size())) {
+        } else if (has_narrow_prior(m_result)) {
+            const size_t outliers = m_result.length_outliers.size();
             add({.kind = FindingKind::prior,
                  .severity = Verdict::failed,
                  .value = static_cast<double>(outliers),

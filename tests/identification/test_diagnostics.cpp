@@ -461,6 +461,22 @@ TEST(Diagnostics, OfFewLengthsTheirPriorIsInTheirIntervals) {
               0.8);
 }
 
+TEST(Diagnostics, OfAPriorFarTooNarrowNameItFirst) {
+    const CableNet saddle = hypar(9, 9);
+    const SimulatedSurvey s =
+        simulate(saddle, LengthPrior{LengthPrior::Kind::uniform, 0.003}, noise, 7);
+    const Identification found = identify(saddle, s.survey,
+                                          {.method = IdentificationMethod::map,
+                                           .prior = LengthPrior{LengthPrior::Kind::uniform, 0.0003},
+                                           .prior_exact = true});
+    ASSERT_EQ(found.trust.verdict(), Trust::Verdict::failed);
+    EXPECT_EQ(found.trust.findings.front().kind, Trust::Finding::Kind::prior);
+    // The noise is right: nothing advises another.
+    for (const Trust::Finding& finding : found.trust.findings) {
+        EXPECT_FALSE(finding.remedy && finding.remedy->parameter == "noise");
+    }
+}
+
 TEST(Diagnostics, OfWhatAllLengthsHaveInCommonNamesIt) {
     SimulatedSurvey s = simulate(net(), prior, noise, 9,
                                  [](Eigen::VectorXd& deviations) { deviations.array() += 0.003; });
