@@ -28,17 +28,8 @@ function(taut_add_tests room)
         target_link_options(${target} PRIVATE LINKER:--whole-archive ${libraries} LINKER:--no-whole-archive)
     endif()
     # Templates take most of a test's compilation, optimisation little: -O0 saves GCC 4 % of the time.
-    # Not to collect garbage saves 7 %; the largest sources then need some 2 GB, which two processes more than
-    # there are cores (Ninja) must have.
-    set(garbage)
-    cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-    cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
-    math(EXPR memory_needed "3000 * (${cores} + 2)")
-    if(memory GREATER memory_needed)
-        set(garbage --param=ggc-min-heapsize=2000000)
-    endif()
     target_compile_options(${target} PRIVATE ${optimisation}
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized ${garbage}>)
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     if(NOT room STREQUAL "version")
         target_precompile_headers(${target} REUSE_FROM test_version)
     endif()
