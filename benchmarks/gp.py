@@ -189,9 +189,9 @@ def main():
     parser.add_argument("--outputs", type=int, default=64)
     parser.add_argument("--write", action="store_true", help="put the table into docs/performance.md")
     parser.add_argument("--one", choices=NAMES, help=argparse.SUPPRESS)
-    told = parser.parse_args()
-    if told.one:
-        print(json.dumps(run_one(told.one, told.samples, told.outputs)))
+    arguments = parser.parse_args()
+    if arguments.one:
+        print(json.dumps(run_one(arguments.one, arguments.samples, arguments.outputs)))
         return
     rows = {}
     for name in NAMES:
@@ -202,9 +202,9 @@ def main():
                 "--one",
                 name,
                 "--samples",
-                str(told.samples),
+                str(arguments.samples),
                 "--outputs",
-                str(told.outputs),
+                str(arguments.outputs),
             ],
             capture_output=True,
             text=True,
@@ -215,9 +215,9 @@ def main():
             raise SystemExit(f"{name} failed:\n{done.stderr}")
         else:
             rows[name] = json.loads(done.stdout.splitlines()[-1])
-    made = table(rows, told.samples, told.outputs)
+    made = table(rows, arguments.samples, arguments.outputs)
     print(made)
-    if told.write:
+    if arguments.write:
         put("performance.md", "benchmarks/gp.py", made)
 
 

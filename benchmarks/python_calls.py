@@ -82,8 +82,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--peer", type=Path, help="program to compare identify() with")
     parser.add_argument("--write", action="store_true", help="put the table into docs/performance.md")
-    told = parser.parse_args()
-    if told.write and not told.peer:
+    arguments = parser.parse_args()
+    if arguments.write and not arguments.peer:
         parser.error("--write takes --peer, too")
     net = taut.hypar(2, 2)
     form, lengths = np.array(net.nodes), np.array(net.unstressed_lengths)
@@ -95,8 +95,8 @@ def main():
     ]
     lines = ["| call, on a net of 4 free nodes | microseconds |", "|---|---|"]
     lines += [f"| {name} | {value:.2f} |" for name, value in rows]
-    if told.peer:
-        python, cpp = identification(told.peer)
+    if arguments.peer:
+        python, cpp = identification(arguments.peer)
         lines += [
             "",
             "`taut.identify(net, taut.read_survey(net, points, ids=ids, noise=0.5e-3))` of the "
@@ -107,7 +107,7 @@ def main():
     lines += ["", f"`import taut` takes {both:.3f} s, of which NumPy {numpy:.3f} s."]
     made = "\n".join(lines)
     print(made)
-    if told.write:
+    if arguments.write:
         put("performance.md", "benchmarks/python_calls.py", made)
 
 

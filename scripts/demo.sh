@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 #
 # The paper's experiment on the built-in net, then one job on a simulated site: survey, lengths,
-# turns. Ends in two reports in a folder, build/demo if none is told.
+# turns. Ends in two reports in a folder, build/demo if none is given.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -15,7 +15,7 @@ taut() {
     "$root/build/taut" "$@"
 }
 
-# What this build can do only with cargo (plans) or Node.js (reports): told, and left out.
+# What this build can do only with cargo (plans) or Node.js (reports): named, and left out.
 taut_if_built() {
     local output
     if output=$(taut "$@" 2>&1); then

@@ -41,7 +41,7 @@ std::string line(const std::string& place, const ComparisonRow& row) {
     std::string text;
     if (r.identified() > 0) {
         const auto over_best =
-            row.best_possible ? over(r.errors.mse / row.best_possible->mse) : std::string("-");
+            row.cramer_rao ? over(r.errors.mse / row.cramer_rao->mse) : std::string("-");
         const bool has_form = r.forms_not_converged < r.identified();
         text = fmt::format(row_format, place, r.name, fmt::format("{:.3g}", r.errors.mse),
                            fmt::format("{:.3g}", 1e3 * std::sqrt(r.errors.mse)), over_best,
@@ -83,9 +83,9 @@ std::string table(const Comparison& comparison, const std::string& axis,
     for (const ComparisonRow* row : rows) {
         const std::string place = fmt::format("{:.4g}{}", value_of(*row), unit);
         if (place != last) {
-            text += bound_line(place, row->best_possible);
+            text += bound_line(place, row->cramer_rao);
         }
-        text += line(place == last || row->best_possible ? "" : place, *row);
+        text += line(place == last || row->cramer_rao ? "" : place, *row);
         last = place;
     }
     return text.empty() ? "" : head(axis) + text;

@@ -21,7 +21,7 @@ std::optional<double> of_lengths(const ComparisonRow& row, double number) {
 /// The best possible by any method, where it is known.
 auto best(double CramerRaoBound::* number) {
     return [number](const ComparisonRow& row) {
-        return row.best_possible ? std::optional(*row.best_possible.*number) : std::nullopt;
+        return row.cramer_rao ? std::optional(*row.cramer_rao.*number) : std::nullopt;
     };
 }
 
@@ -39,9 +39,9 @@ Description<ComparisonRow> describe(const ComparisonRow* /*type*/) {
         .newer("failed", TAUT_VALUE(std::optional(it.result.failed)))
         .newer("first_failure", TAUT_VALUE(when(it.result.failed > 0, it.result.first_failure)))
         .newer("mse", TAUT_VALUE(of_lengths(it, it.result.errors.mse)), size)
-        .newer("best_possible_mse", best(&CramerRaoBound::mse), size)
+        .newer("cramer_rao_mse", best(&CramerRaoBound::mse), size)
         .newer("mse_of_taut_edges", TAUT_VALUE(of_lengths(it, it.result.mse_of_taut)), size)
-        .newer("best_possible_mse_of_taut_edges", best(&CramerRaoBound::mse_of_taut), size)
+        .newer("cramer_rao_mse_of_taut_edges", best(&CramerRaoBound::mse_of_taut), size)
         .newer("mrse", TAUT_VALUE(of_lengths(it, it.result.errors.mrse)), size)
         .newer("form_error",
                TAUT_VALUE(when(it.result.forms_not_converged < it.result.identified(),

@@ -43,6 +43,13 @@ constexpr Renamed renamed_keys[] = {
     {"", "survey_first", "suggested_targets"},
     {"suggested_targets/targets/*", "normal_unknown", "normal_std"},
     {"", "no_draws_since", "no_draws_because"},
+    // taut-comparison
+    {"rows/*", "best_possible_mse", "cramer_rao_mse"},
+    {"rows/*", "best_possible_mse_of_taut_edges", "cramer_rao_mse_of_taut_edges"},
+    {"model_error_rows/*", "best_possible_mse", "cramer_rao_mse"},
+    {"model_error_rows/*", "best_possible_mse_of_taut_edges", "cramer_rao_mse_of_taut_edges"},
+    {"epoch_rows/*", "best_possible_mse", "cramer_rao_mse"},
+    {"epoch_rows/*", "best_possible_mse_of_taut_edges", "cramer_rao_mse_of_taut_edges"},
     // taut-control
     {"settings", "law", "prior"},
 };

@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 
 #include <set>
+#include <string>
 
+#include "files/message.hpp"
 #include "results/document_parts.hpp"
 #include "results/result_checks.hpp"
 #include "results/result_readers.hpp"
 #include "results/result_values.hpp"
+#include "taut/results/plan_files.hpp"
 
 namespace taut {
 namespace {
@@ -34,6 +37,22 @@ PlanResult::Tension read_tension(const JsonValue& value, int edge) {
     return tension;
 }
 
+/// @return its edge
+int read_turn(const JsonValue& turn, const CableNet& net) {
+    const int edge = read_edge_index(member(turn, "edge"), net);
+    if (net.interior_index(edge) >= 0) {
+        member(turn, "edge").fail(fmt::format("is {}, expected an adjustable edge", edge));
+    }
+    const double stroke = member(turn, "stroke").number();
+    const std::string expected(action_of(stroke));
+    const JsonValue action = member(turn, "action");
+    if (action.text() != expected) {
+        action.fail(fmt::format("is {}, expected {}: the stroke is {}", quote(action.text()),
+                                quote(expected), stroke));
+    }
+    return edge;
+}
+
 }  // namespace
 
 PlanResult read_plan(const JsonValue& root) {
@@ -57,7 +76,11 @@ PlanResult read_plan(const JsonValue& root) {
     }
     std::set<int> turned;
     for (const JsonValue& turn : entries(root, "turns")) {
-        turned.insert(read_edge_index(member(turn, "edge"), plan.net));
+        turned.insert(read_turn(turn, plan.net));
+    }
+    const JsonValue feasible = member(root, "feasible");
+    if (feasible.json() == true && !entries(root, "violations").empty()) {
+        feasible.fail("is true, expected false: /violations has limits that are not kept");
     }
     require_equal(root, "touched", static_cast<int>(turned.size()), "the edges among /turns");
     return plan;

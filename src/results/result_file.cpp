@@ -96,7 +96,7 @@ ComparisonResult read_comparison(const JsonValue& root) {
              .noise = member(row, "noise").number(),
              .training_samples = optional_number(row, "training_samples"),
              .mse = optional_number(row, "mse"),
-             .best_possible_mse = optional_number(row, "best_possible_mse"),
+             .cramer_rao_mse = optional_number(row, "cramer_rao_mse"),
              .hidden_fraction = optional_number(row, "hidden_fraction").value_or(0.0)});
     }
     return result;

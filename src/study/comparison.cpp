@@ -160,7 +160,7 @@ private:
                      .training_samples =
                          method.training_samples ? std::optional(count) : std::nullopt,
                      .result = evaluate_together(net, method, trials, m_progress),
-                     .best_possible = {}});
+                     .cramer_rao = {}});
             }
         };
         add(not_given, ModelErrors::not_given);
@@ -193,7 +193,7 @@ private:
                                                     ? std::optional(cell.training_samples)
                                                     : std::nullopt,
                             .result = result_of(method, cell.kind, trials),
-                            .best_possible = best});
+                            .cramer_rao = best});
         }
         return rows;
     }
@@ -239,7 +239,7 @@ void compare_epochs(Comparison& comparison, const DataSet& data, const std::vect
                                          .epochs = epochs,
                                          .is_turned = is_turned,
                                          .result = evaluate_together(net, method, trials, progress),
-                                         .best_possible = {}});
+                                         .cramer_rao = {}});
     };
     const std::vector<Trial> first = simulate_trials(net, data, surveyed, kind, settings.seed);
     add(method_by_maximum_a_posteriori(net, settings.prior), first, 1, false);

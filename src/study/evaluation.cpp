@@ -15,7 +15,7 @@
 #include "shared_work.hpp"
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
-#include "taut/identification/best_possible.hpp"
+#include "taut/identification/cramer_rao_bound.hpp"
 #include "taut/numerical_error.hpp"
 
 namespace taut {
@@ -226,9 +226,8 @@ std::optional<CramerRaoBound> cramer_rao_bound(const CableNet& net, const Length
     try {
         tbb::parallel_for(size_t{0}, mine.size(), [&](size_t i) {
             const Trial& trial = trials[mine[i]];
-            of_trials[i] =
-                best_possible_variances(net, with_length_deviations(net, trial.deviations),
-                                        trial.form, trial.survey, prior);
+            of_trials[i] = cramer_rao_variances(net, with_length_deviations(net, trial.deviations),
+                                                trial.form, trial.survey, prior);
         });
     } catch (const NumericalError&) {
         of_trials.assign(mine.size(), Eigen::VectorXd());

@@ -58,7 +58,7 @@ TEST_F(Compare, WritesTheNumbersOfTheLibraryAsJsonAsTableAndAsReport) {
         EXPECT_EQ(row["method"], expected.result.name);
         EXPECT_EQ(row["noise"], expected.kind.noise_std);
         EXPECT_EQ(row["hidden_fraction"], expected.kind.hidden_part);
-        EXPECT_EQ(row["best_possible_mse"].is_number(), row["noise"] > 0.0);
+        EXPECT_EQ(row["cramer_rao_mse"].is_number(), row["noise"] > 0.0);
         EXPECT_EQ(row["training_samples"].is_number(),
                   row["method"].get<std::string>().starts_with("gp"));
         EXPECT_THAT(table[i + 1], StartsWith(expected.result.name + ","));

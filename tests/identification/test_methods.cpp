@@ -19,7 +19,7 @@
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/best_possible.hpp"
+#include "taut/identification/cramer_rao_bound.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
@@ -56,10 +56,10 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
                     method = result.method;
                     errors += squared_error(result, s.deviations);
                     covered += test::coverage(result, s.deviations) / surveys;
-                    best += best_possible_variances(net_7x7,
-                                                    with_length_deviations(net_7x7, s.deviations),
-                                                    s.truth.form, s.survey, prior)
-                                .mean();
+                    best +=
+                        cramer_rao_variances(net_7x7, with_length_deviations(net_7x7, s.deviations),
+                                             s.truth.form, s.survey, prior)
+                            .mean();
                 }
                 EXPECT_NEAR(covered, 0.95, 0.02)
                     << method << ' ' << prior.to_string() << ' ' << noise;
@@ -83,7 +83,7 @@ TEST(CramerRaoBound, IsTheTextbookPosteriorVariance) {
     precision.diagonal().array() += 1.0 / (uniform_3mm.std() * uniform_3mm.std());
     const Eigen::VectorXd expected = precision.inverse().diagonal();
     const Eigen::VectorXd found =
-        best_possible_variances(net_7x7, lengths, s.truth.form, survey, uniform_3mm);
+        cramer_rao_variances(net_7x7, lengths, s.truth.form, survey, uniform_3mm);
     EXPECT_LT((found - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 

@@ -11,7 +11,7 @@
 #include "identification/processes.hpp"
 #include "simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/best_possible.hpp"
+#include "taut/identification/cramer_rao_bound.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/sampling/sampler.hpp"
@@ -32,7 +32,7 @@ LengthModel model_of(const CableNet& net, const LengthPrior& prior,
 
 struct Score {
     double mse = 0.0;
-    double best_possible = 0.0;
+    double cramer_rao = 0.0;
     double coverage = 0.0;
 };
 
@@ -58,11 +58,10 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
             }
         }
         if (noise > 0.0) {
-            sum.best_possible +=
-                best_possible_variances(net, with_length_deviations(net, s.deviations),
-                                        s.truth.form, s.survey, model.prior)
-                    .mean() /
-                surveys;
+            sum.cramer_rao += cramer_rao_variances(net, with_length_deviations(net, s.deviations),
+                                                   s.truth.form, s.survey, model.prior)
+                                  .mean() /
+                              surveys;
         }
     }
     return sum;
@@ -78,7 +77,7 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
             EXPECT_GT(s.coverage, 0.93);
             EXPECT_LT(s.coverage, 0.97);
             if (noise > 0.0) {
-                EXPECT_LT(s.mse, (noise < 0.0002 ? 1.8 : 1.05) * s.best_possible);
+                EXPECT_LT(s.mse, (noise < 0.0002 ? 1.8 : 1.05) * s.cramer_rao);
             }
         }
     }
@@ -123,7 +122,7 @@ TEST(ProcessesOnSite, AnEdgeAtASupportMayBeOneToIdentify) {
     const Score s = score(net, model_of(net, gaussian_prior), 0.0005, 30);
     EXPECT_GT(s.coverage, 0.93);
     EXPECT_LT(s.coverage, 0.97);
-    EXPECT_LT(s.mse, 1.1 * s.best_possible);
+    EXPECT_LT(s.mse, 1.1 * s.cramer_rao);
 }
 
 TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
@@ -131,7 +130,7 @@ TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
     const Score s = score(net, model_of(net, gaussian_prior), 0.0005, 40, 3);
     EXPECT_GT(s.coverage, 0.93);
     EXPECT_LT(s.coverage, 0.97);
-    EXPECT_LT(s.mse, 1.05 * s.best_possible);
+    EXPECT_LT(s.mse, 1.05 * s.cramer_rao);
 }
 
 TEST(ProcessesOnSite, AModelAsInThePaperTakesTheSurveyForExactAndWhole) {

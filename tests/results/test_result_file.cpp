@@ -435,6 +435,18 @@ INSTANTIATE_TEST_SUITE_P(
                "/turns/0/edge_id: is 'no edge', expected '"},
         Damage{"ThatTurnsNoEdge", "plan", "/turns/0/edge", 999,
                "/turns/0/edge: is 999, expected an edge of the net"},
+        Damage{"ThatTurnsAnInteriorEdge", "plan", "/turns/0",
+               [] {
+                   json turn = good("plan")["turns"][0];
+                   turn["edge"] = 4;
+                   turn["edge_id"] = "4";
+                   return turn;
+               }(),
+               "/turns/0/edge: is 4, expected an adjustable edge"},
+        Damage{"WithAnActionAgainstItsStroke", "plan", "/turns/0/stroke",
+               -good("plan")["turns"][0]["stroke"].get<double>(), "/turns/0/action: is '"},
+        Damage{"ThatIsFeasibleWithViolations", "plan", "/feasible", true,
+               "/feasible: is true, expected false"},
         Damage{"WithABreachOfNoEdge", "plan", "/violations/0/edge", 999,
                "/violations/0/edge: is 999"},
         Damage{"WithAWorstStepOfNoEdge", "plan", "/order/worst/breach/edge", 999,

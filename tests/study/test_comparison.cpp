@@ -104,7 +104,7 @@ TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
 
 TEST_F(SmallComparison, HasTheBoundOfASurveyForAnyMethod) {
     const auto best = [this](const std::string& method, const SurveyKind& kind) {
-        return row_of(m_comparison, method, kind).best_possible;
+        return row_of(m_comparison, method, kind).cramer_rao;
     };
     const SurveyKind noisy{.noise_std = 5e-4};
     const SurveyKind hidden{.noise_std = 5e-4, .hidden_part = 0.2};
@@ -134,10 +134,10 @@ TEST_F(SmallComparison, DoesNotDependOnTheNumberOfThreads) {
         EXPECT_EQ(a.errors.mse, b.errors.mse) << a.name;
         EXPECT_EQ(a.form_error.mean, b.form_error.mean) << a.name;
         EXPECT_EQ(a.coverage, b.coverage);
-        EXPECT_EQ(again.rows[i].best_possible.has_value(),
-                  m_comparison.rows[i].best_possible.has_value());
-        if (again.rows[i].best_possible) {
-            EXPECT_EQ(again.rows[i].best_possible->mse, m_comparison.rows[i].best_possible->mse);
+        EXPECT_EQ(again.rows[i].cramer_rao.has_value(),
+                  m_comparison.rows[i].cramer_rao.has_value());
+        if (again.rows[i].cramer_rao) {
+            EXPECT_EQ(again.rows[i].cramer_rao->mse, m_comparison.rows[i].cramer_rao->mse);
         }
     }
 }

@@ -27,7 +27,7 @@ const ComparisonRow& row_at(const Comparison& comparison, const std::string& met
 double over_best(const Comparison& comparison, const std::string& method, const SurveyKind& kind) {
     const ComparisonRow& row = row_at(comparison, method, kind);
     EXPECT_EQ(row.result.failed, 0) << row.result.first_failure;
-    return row.result.errors.mse / row.best_possible->mse;
+    return row.result.errors.mse / row.cramer_rao->mse;
 }
 
 TEST(Goals, AreReachedOnTheBuiltInNet) {

@@ -99,11 +99,11 @@ inline ResultFile made_up_comparison() {
     return parse_result(
         R"({"format": "taut-comparison", "version": 1, "net": {"name": "a <b>net</b>"},
         "rows": [
-        {"method": "gp", "noise": 0.0, "training_samples": 100, "surveys": 5, "failed": 0, "mse": 4e-8, "best_possible_mse": 1e-10},
-        {"method": "gp", "noise": 0.0001, "training_samples": 100, "mse": 5e-8, "best_possible_mse": 2e-8},
-        {"method": "gp", "noise": 0.0001, "training_samples": 900, "mse": 3e-8, "best_possible_mse": 2e-8},
-        {"method": "balance", "noise": 0.0, "training_samples": null, "mse": 1e-24, "best_possible_mse": 1e-10},
-        {"method": "balance", "noise": 0.0001, "mse": null, "best_possible_mse": 2e-8}]})",
+        {"method": "gp", "noise": 0.0, "training_samples": 100, "surveys": 5, "failed": 0, "mse": 4e-8, "cramer_rao_mse": 1e-10},
+        {"method": "gp", "noise": 0.0001, "training_samples": 100, "mse": 5e-8, "cramer_rao_mse": 2e-8},
+        {"method": "gp", "noise": 0.0001, "training_samples": 900, "mse": 3e-8, "cramer_rao_mse": 2e-8},
+        {"method": "balance", "noise": 0.0, "training_samples": null, "mse": 1e-24, "cramer_rao_mse": 1e-10},
+        {"method": "balance", "noise": 0.0001, "mse": null, "cramer_rao_mse": 2e-8}]})",
         "compare.json");
 }
 

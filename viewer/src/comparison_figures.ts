@@ -19,7 +19,7 @@ interface Series {
 const inks: Ink[] = ["blue", "orange", "green", "magenta", "brown", "dim"];
 
 /** By place; the first row of each counts. An error of 0 has no logarithm and is skipped. */
-function pointsOf(rows: Rows, place: (row: ComparisonRow) => number | null, key: "mse" | "best_possible_mse"): [number, number][] {
+function pointsOf(rows: Rows, place: (row: ComparisonRow) => number | null, key: "mse" | "cramer_rao_mse"): [number, number][] {
   const points = new Map<number, number>();
   for (const row of rows) {
     const [x, mse] = [place(row), row[key]];
@@ -31,7 +31,7 @@ function pointsOf(rows: Rows, place: (row: ComparisonRow) => number | null, key:
 /** A curve for each method, then the Cramér-Rao bound. @param all methods, each of which keeps its ink where it has no curve */
 function seriesOver(all: string[], rows: Rows, place: (row: ComparisonRow) => number | null): Series[] {
   const own = all.map((name, i): Series => ({ name, ink: inks[i % inks.length]!, dashed: false, points: pointsOf(rows.filter((r) => r.method === name), place, "mse") }));
-  return [...own, { name: "Cramér-Rao bound", ink: "ink" as const, dashed: true, points: pointsOf(rows, place, "best_possible_mse") }].filter((s) => s.points.length > 0);
+  return [...own, { name: "Cramér-Rao bound", ink: "ink" as const, dashed: true, points: pointsOf(rows, place, "cramer_rao_mse") }].filter((s) => s.points.length > 0);
 }
 
 /** The values of one key that occur with each value of another. */

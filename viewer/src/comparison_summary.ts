@@ -19,7 +19,7 @@ function bestWords(rows: ComparisonRow[], noise: number): string {
   const mm = (mse: number): string => `${number(1e3 * Math.sqrt(mse))} mm`;
   const best = rows.filter((r) => r.noise === noise && !((r.hidden_fraction ?? 0) > 0)).sort((a, b) => a.mse! - b.mse!)[0];
   if (!best) return `${at} no method gave a result.`;
-  const bound = best.best_possible_mse;
+  const bound = best.cramer_rao_mse;
   return `${at}, ${best.method} has the smallest error of a length: ${mm(best.mse!)} (RMS)${bound ? `; the Cramér-Rao bound is ${mm(bound)}` : ""}.`;
 }
 

@@ -117,7 +117,7 @@ export function frameSection(result: Identification): HTMLElement | null {
 
 export function comparisonSection(comparison: Comparison): HTMLElement {
   const { rows } = comparison;
-  type Key = "training_samples" | "hidden_fraction" | "mse" | "mrse" | "form_error" | "coverage" | "training_seconds" | "seconds" | "best_possible_mse" | "surveys" | "failed";
+  type Key = "training_samples" | "hidden_fraction" | "mse" | "mrse" | "form_error" | "coverage" | "training_seconds" | "seconds" | "cramer_rao_mse" | "surveys" | "failed";
   const value = (key: Key, factor = 1) => (row: number): number => factor * (rows[row]![key] ?? NaN);
   const table = new Table({
     caption: "All methods, standard deviations and training sizes", rowCount: rows.length, fileName: "comparison.csv",
@@ -127,7 +127,7 @@ export function comparisonSection(comparison: Comparison): HTMLElement {
       { label: "training samples", decimals: 0, value: value("training_samples") },
       { label: "not surveyed", unit: "%", value: value("hidden_fraction", 100) },
       { label: "MSE", unit: "m²", value: value("mse") },
-      { label: "Cramér-Rao bound", unit: "m²", value: value("best_possible_mse") },
+      { label: "Cramér-Rao bound", unit: "m²", value: value("cramer_rao_mse") },
       { label: "MRSE", unit: "%", value: value("mrse", 100) },
       { label: "form error", unit: "mm", value: value("form_error", 1e3) },
       { label: "coverage", unit: "%", value: value("coverage", 100) },

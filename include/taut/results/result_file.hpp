@@ -63,9 +63,9 @@ struct ComparisonResult {
         double noise = 0.0;  ///< standard deviation of a surveyed coordinate [m]
         /// Empty for a method that learns from no samples.
         std::optional<double> training_samples;
-        std::optional<double> mse;                ///< [m2]; empty where the method gave none
-        std::optional<double> best_possible_mse;  ///< [m2]
-        double hidden_fraction = 0.0;             ///< of the free nodes, not surveyed
+        std::optional<double> mse;             ///< [m2]; empty where the method gave none
+        std::optional<double> cramer_rao_mse;  ///< [m2]
+        double hidden_fraction = 0.0;          ///< of the free nodes, not surveyed
     };
     std::vector<Row> rows;  ///< as Comparison::rows, in the order of the file
 };

@@ -64,7 +64,7 @@ struct ComparisonRow {
     /// Cramer-Rao bound of these surveys, for any method. Empty without noise and hidden nodes,
     /// where all lengths but those of slack edges follow exactly; and where it could not be
     /// computed.
-    std::optional<CramerRaoBound> best_possible;
+    std::optional<CramerRaoBound> cramer_rao;
 };
 
 /// The methods of identification compared on one net.

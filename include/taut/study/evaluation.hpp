@@ -53,7 +53,7 @@ struct Evaluation {
                                                          const Progress& progress = {});
 
 /// Cramer-Rao bound of the mean squared error of the lengths: the mean over edges and surveys of
-/// best_possible_variances() at the truth [m2].
+/// cramer_rao_variances() at the truth [m2].
 struct CramerRaoBound {
     double mse = 0.0;          ///< over all interior edges
     double mse_of_taut = 0.0;  ///< over the edges that are taut in the true form
@@ -62,7 +62,7 @@ struct CramerRaoBound {
 /// The bound for these surveys.
 /// @param trials of this net, at least one
 /// @return nothing where the statics of a true form are singular: a slack mechanism
-/// @throws std::invalid_argument as best_possible_variances()
+/// @throws std::invalid_argument as cramer_rao_variances()
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::optional<CramerRaoBound> cramer_rao_bound(
     const CableNet& net, const LengthPrior& prior, const std::vector<Trial>& trials);
 

@@ -20,7 +20,7 @@ namespace taut {
 /// @throws std::invalid_argument as tensions() and LengthPrior::check()
 /// @throws SurveyError as check_survey()
 /// @throws std::runtime_error where the statics are singular at this form: a slack mechanism
-[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd best_possible_variances(
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd cramer_rao_variances(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form, const Survey& survey, const LengthPrior& prior);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/identification/best_possible.hpp"
+#include "taut/identification/cramer_rao_bound.hpp"
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
@@ -9,10 +9,10 @@
 
 namespace taut {
 
-Eigen::VectorXd best_possible_variances(const CableNet& net,
-                                        const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                                        const Eigen::Ref<const Points>& form, const Survey& survey,
-                                        const LengthPrior& prior) {
+Eigen::VectorXd cramer_rao_variances(const CableNet& net,
+                                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                     const Eigen::Ref<const Points>& form, const Survey& survey,
+                                     const LengthPrior& prior) {
     prior.check();
     check_survey(net, survey);
     std::vector<bool> slack(net.edge_count(), false);
