@@ -29,16 +29,20 @@ constexpr int pilot_draws = 10;
 constexpr double largest_departure = 0.3;
 constexpr double most_left_out = 0.02;
 
-/// A fit takes some ten factorisations a draw: seconds up to this many interior edges. Of tension
-/// laws with corners it sees rounded ones, as the linearised fit does, and is no better.
-constexpr int most_edges_of_fits = 2000;
-bool can_be_fitted(const CableNet& net) {
-    return net.is_linear() && net.interior_edge_count() <= most_edges_of_fits;
-}
-
 constexpr int most_descents_a_draw = 60;
 constexpr double decrement_of_draw = 0.05;
+
 constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
+
+/// Draws that are fitted come to their tension laws in stages, each from the one before it: laws
+/// are blurred by these parts of the blur of the fit.
+constexpr double blurs_of_draws[] = {1.0, 0.5, 0.25, 0.125};
+
+/// What draws that are fitted cannot follow: only the stiffness of each edge.
+LawBlur blur_of_fits(LawBlur blur) {
+    blur.missed.setZero();
+    return blur;
+}
 
 /// In units of the smallest standard deviation of the survey.
 constexpr double small_step = 0.1;
@@ -142,7 +146,7 @@ public:
           m_statics(statics),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_blur_variances(statics.blur().length_variances(net.interior_edge_count())),
+          m_blur_of_fits(blur_of_fits(statics.blur())),
           m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
           m_fitted(fitted),
           m_all_taut(all_taut(net, fitted)),
@@ -172,8 +176,14 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn,
-                                                   const Eigen::VectorXd& prior_mean, bool refit,
+    /// m_I, LawBlur::length_variances() [m2]
+    [[nodiscard]] Eigen::VectorXd blur_variances(bool refit_all) const {
+        const LawBlur& blur = refit_all ? m_blur_of_fits : m_statics.blur();
+        return blur.length_variances(m_net.interior_edge_count());
+    }
+    [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn, const Eigen::VectorXd& tensions,
+                                                   const Eigen::VectorXd& prior_mean,
+                                                   const Eigen::VectorXd& blur, bool refit,
                                                    RandomNumbers& random) const;
     [[nodiscard]] std::vector<bool> slack_in(const Eigen::VectorXd& deviations,
                                              const Eigen::VectorXd& spans, bool refit) const;
@@ -182,14 +192,15 @@ private:
                                            const Eigen::VectorXd& common) const;
     [[nodiscard]] ModelPerturbation drawn_perturbation(const Iterate& drawn,
                                                        const Eigen::VectorXd& own_stiffness) const;
-    [[nodiscard]] double squared_departure(const Iterate& drawn, const Points& form,
+    [[nodiscard]] double squared_departure(const Iterate& drawn, const Eigen::VectorXd& tensions,
+                                           const Points& form,
                                            const Eigen::VectorXd& tensions_in_balance) const;
 
     const CableNet& m_net;
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    Eigen::VectorXd m_blur_variances;      ///< m_I, LawBlur::length_variances() [m2]
+    LawBlur m_blur_of_fits;
     Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
     Iterate m_all_taut;
@@ -231,31 +242,50 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
         workspace.statics = std::make_unique<LinearisedStatics>(
             m_net, m_knowledge.uncertain, m_knowledge.frame_is_unknown, m_knowledge.released,
             m_knowledge.coupling());
-        workspace.statics->set_blur(m_statics.blur());
         workspace.statics->set_slack(
             m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
         workspace.statics->round_corners(corner_of_draws * smallest_noise(m_net, m_sites));
     }
-    GaussNewtonResult fit = feasible_descent(*workspace.statics, observations, m_all_taut,
-                                             decrement_of_draw, most_descents_a_draw);
-    if (!fit.converged) {
-        return std::nullopt;
+    const auto set_blur = [&](double part) {
+        LawBlur blur = m_blur_of_fits;
+        blur.strain_stds *= part;
+        workspace.statics->set_blur(std::move(blur));
+    };
+    std::optional<Iterate> found;
+    double reached = 1.0;
+    for (const double part : blurs_of_draws) {
+        set_blur(part);
+        GaussNewtonResult fit =
+            feasible_descent(*workspace.statics, observations, found.value_or(m_all_taut),
+                             decrement_of_draw, most_descents_a_draw);
+        if (!fit.converged) {
+            set_blur(reached);
+            break;
+        }
+        reached = part;
+        found = std::move(fit.iterate);
+        if (m_net.is_linear()) {
+            break;
+        }
     }
-    return std::move(fit.iterate);
+    return found;
 }
 
 /// Separates the drawn deviations into blur, (own-stiffness) and (blurred-law), and the edges' own
 /// lengths. An edge with a tension law gets the length with which it carries its tension in the
 /// draw; a slack edge one of the prior longer than the form spans.
+/// @param tensions of all edges in the draw (m) [N]
 /// @param prior_mean of the length deviations (m_I) [m]
+/// @param blur variances of the additional length deviations (m_I) [m2]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
-Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
-                                               bool refit, RandomNumbers& random) const {
+Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::VectorXd& tensions,
+                                               const Eigen::VectorXd& prior_mean,
+                                               const Eigen::VectorXd& blur, bool refit,
+                                               RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
         m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
     const std::vector<bool> slack = slack_in(drawn.deviations, spans, refit);
-    const Eigen::VectorXd tensions = m_statics.tensions(drawn);
     const Eigen::VectorXd& of_stiffness = m_statics.blur().stiffness;
     Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
     for (int i = 0; i < drawn.deviations.size(); ++i) {
@@ -263,7 +293,7 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
         const LengthPrior& prior = m_knowledge.priors[i];
         double& deviation = drawn.deviations(i);
         if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
-            const double part = of_stiffness(i) / (m_sites.variance(i) + m_blur_variances(i));
+            const double part = of_stiffness(i) / (m_sites.variance(i) + blur(i));
             const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
             own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
@@ -328,15 +358,13 @@ ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
 
 /// Squared distance of a form in equilibrium and its tensions from those of the draw, in standard
 /// deviations of the observations.
-double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
+double Perturbation::squared_departure(const Iterate& drawn, const Eigen::VectorXd& tensions,
+                                       const Points& form,
                                        const Eigen::VectorXd& tensions_in_balance) const {
     double sum = m_sites.squared_norm(form - drawn.form);
-    if (!m_knowledge.forces.measurements.empty()) {
-        const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
-        for (const ForceMeasurement& force : m_knowledge.forces.measurements) {
-            const int e = force.edge;
-            sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - by_draw(e), 2);
-        }
+    for (const ForceMeasurement& force : m_knowledge.forces.measurements) {
+        const int e = force.edge;
+        sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - tensions(e), 2);
     }
     return sum;
 }
@@ -345,10 +373,11 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
     const Observations of_mean = with_drawn_mean(m_sites, random);
-    const Observations again = perturbed(m_net, of_mean, m_blur_variances, random);
+    const Eigen::VectorXd blur = blur_variances(refit_all);
+    const Observations again = perturbed(m_net, of_mean, blur, random);
     auto fit = refit_all ? std::nullopt : followed(again);
     const bool refit = !fit;
-    if (refit && can_be_fitted(m_net)) {
+    if (refit && (refit_all || (m_net.is_linear() && can_be_fitted(m_net)))) {
         fit = refitted(again, workspace);
     }
     if (!fit) {
@@ -356,7 +385,10 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
     }
     Iterate& drawn = *fit;
     const Iterate by_fit = drawn;
-    const Eigen::VectorXd own_stiffness = separate_lengths(drawn, of_mean.mean, refit, random);
+    const Eigen::VectorXd of_fit =
+        refit ? workspace.statics->tensions(drawn) : m_statics.tensions(drawn);
+    const Eigen::VectorXd own_stiffness =
+        separate_lengths(drawn, of_fit, of_mean.mean, blur, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -386,7 +418,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
             return std::nullopt;  // a length that is no longer positive
         }
     }
-    result.squared_departure = squared_departure(by_fit, result.form, result.tensions);
+    result.squared_departure = squared_departure(by_fit, of_fit, result.form, result.tensions);
     result.deviations = std::move(drawn.deviations);
     return result;
 }
@@ -458,14 +490,16 @@ bool PerturbedDraws::is_unreliable() const {
     return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
 }
 
+bool can_be_fitted(const CableNet& net) {
+    constexpr int most_edges = 2000;
+    return net.interior_edge_count() <= most_edges;
+}
+
 PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics& statics,
                                     const Observations& sites, const PriorKnowledge& knowledge,
                                     const Iterate& fitted, int draws, std::uint64_t seed,
-                                    const Progress& progress) {
-    const Perturbation perturbation(net, statics, sites, knowledge, fitted, seed);
-    PerturbedDraws linear = perturbation.run(draws, false, progress);
-    return linear.is_unreliable() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
-                                                        : linear;
+                                    bool by_fits, const Progress& progress) {
+    return Perturbation(net, statics, sites, knowledge, fitted, seed).run(draws, by_fits, progress);
 }
 
 }  // namespace taut

@@ -37,10 +37,11 @@ struct PerturbedDraws {
 /// Draws by perturbation, docs/theory.md (perturbed): the fit to observations with new noise and
 /// priors with new means, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
 /// Gaussian sampling by local perturbations, NIPS 2010). Where the statics are nearly linear over
-/// the posterior, a few solutions with the factor of the fit suffice. On nets that are not too
-/// large, draws for which these do not contract, and all where they are unreliable, are fitted by
-/// themselves with edges that carry no pressure (randomise-then-optimise, J. M. Bardsley, A.
-/// Solonen, H. Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910, with equal weights).
+/// the posterior, a few solutions with the factor of the fit suffice. With by_fits, and on linear
+/// nets that are not too large where these do not contract, draws are fitted by themselves with
+/// edges that carry no pressure and with their own tension laws (randomise-then-optimise, J. M.
+/// Bardsley, A. Solonen, H. Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910, with
+/// equal weights).
 /// Lengths of slack edges follow the prior beyond the form. Those of taut ones may lie a little
 /// outside its bounds, like the normal distributions with its mean and variance: truncated there,
 /// tensions would be too certain. The result does not depend on the number of threads.
@@ -51,6 +52,9 @@ struct PerturbedDraws {
 [[nodiscard]] PerturbedDraws draw_by_perturbation(
     const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
     const PriorKnowledge& knowledge, const Iterate& fitted, int draws, std::uint64_t seed,
-    const Progress& progress = {});
+    bool by_fits, const Progress& progress = {});
+
+/// Whether draws are fitted by themselves in seconds: some ten factorisations each.
+[[nodiscard]] bool can_be_fitted(const CableNet& net);
 
 }  // namespace taut

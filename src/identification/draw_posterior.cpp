@@ -45,7 +45,7 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
         // A small shift that all edges share is large for the mean tension.
         constexpr double largest_common_shift = 0.1;
         constexpr double largest_shift = 0.3;
-        if (net.is_linear() || deviations.cols() == 0) {
+        if (net.is_linear() || drawn.is_refitted || deviations.cols() == 0) {
             return {};
         }
         const LengthShift shift = length_shift(deviations, result);
@@ -170,28 +170,33 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     if (settings.count == 0 || result.status != IdentificationStatus::converged) {
         return;
     }
-    PerturbedDraws drawn = draw_by_perturbation(fit_net, statics, sites, knowledge, fitted,
-                                                settings.count, settings.seed, progress);
+    const auto draw = [&](bool by_fits) {
+        return draw_by_perturbation(fit_net, statics, sites, knowledge, fitted, settings.count,
+                                    settings.seed, by_fits, progress);
+    };
+    const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
+    const auto interior = [&](const Eigen::MatrixXd& deviations) -> Eigen::MatrixXd {
+        return has_all_lengths ? deviations(net.interior_edges(), Eigen::all) : deviations;
+    };
+    PerturbedDraws drawn = draw(false);
+    std::string reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
+    if (!reason.empty() && can_be_fitted(fit_net)) {
+        drawn = draw(true);
+        reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
+    }
     PosteriorDraws draws{
-        .length_deviations = {},
+        .length_deviations = interior(drawn.deviations),
         .adjustable_deviations = {},
         .perturbations = perturbations_of(fit_net, drawn.perturbations),
-        .forms = {},
-        .tensions = {},
+        .forms = std::move(drawn.forms),
+        .tensions = std::move(drawn.tensions),
         .seed = settings.seed,
         .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
         .is_refitted = drawn.is_refitted,
-        .reason = {}};
-    const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
+        .reason = std::move(reason)};
     if (has_all_lengths) {
         draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
     }
-    draws.length_deviations =
-        has_all_lengths ? Eigen::MatrixXd(drawn.deviations(net.interior_edges(), Eigen::all))
-                        : std::move(drawn.deviations);
-    draws.reason = why_unreliable(drawn, draws.length_deviations, result, net);
-    draws.forms = std::move(drawn.forms);
-    draws.tensions = std::move(drawn.tensions);
     const std::vector<LengthPrior> priors = interior_priors(net, knowledge);
     const bool is_reliable = draws.reason.empty() && draws.count() > 0;
     result.draws = std::move(draws);

@@ -209,6 +209,26 @@ TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
     }
 }
 
+// Strands that bed in: over the flat part of their tension law a line at the fit leads astray.
+TEST(PosteriorDraws, FollowTensionLawsThatBend) {
+    const CableNet net = steel_roof();
+    const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
+    const auto s = test::simulate(net, prior, 5e-4, 1);
+    const Identification found =
+        identify(net, s.survey, {.prior = prior, .assume_site = true, .draws = 60});
+    ASSERT_EQ(found.draws.value().reason, "");
+    EXPECT_TRUE(found.draws->is_refitted);
+    const Eigen::VectorXd truth =
+        tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+    int inside = 0;
+    for (Eigen::Index e = 0; e < truth.size(); ++e) {
+        const DrawnEstimate& tension = found.drawn.tensions[static_cast<size_t>(e)].tension;
+        inside += tension.lower <= truth(e) && truth(e) <= tension.upper ? 1 : 0;
+    }
+    EXPECT_GE(inside, 0.85 * static_cast<double>(truth.size()));
+    EXPECT_GE(test::coverage(found, s.deviations), 0.9);
+}
+
 TEST(PosteriorDraws, AreTheSameFromTheSameSeedWithAnyNumberOfThreads) {
     const CableNet net = hypar(3, 4);
     const LengthPrior prior{LengthPrior::Kind::normal, 2e-3};
