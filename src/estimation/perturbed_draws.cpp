@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -136,17 +135,22 @@ Iterate all_taut(const CableNet& net, const Iterate& fitted) {
 /// Draws one after another, each from its own random numbers.
 class Perturbation {
 public:
-    Perturbation(const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
-                 const PriorKnowledge& knowledge, const Iterate& fitted, std::uint64_t seed)
+    Perturbation(const CableNet& net, const LinearisedFit& fitted, const Observations& sites,
+                 const PriorKnowledge& knowledge, std::uint64_t seed)
         : m_net(net),
-          m_statics(statics),
+          m_model(fitted.model()),
+          m_linearisation(fitted.linearisation),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_blur_variances(statics.blur().length_variances(net.interior_edge_count())),
+          m_blur_variances(m_model.blur.length_variances(net.interior_edge_count())),
           m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
-          m_fitted(fitted),
-          m_all_taut(all_taut(net, fitted)),
-          m_seed(seed) {}
+          m_fitted(fitted.iterate),
+          m_refit_model(m_model),
+          m_all_taut(all_taut(net, fitted.iterate)),
+          m_seed(seed) {
+        m_refit_model.slack = knowledge.as_seen(std::vector<bool>(net.edge_count(), false));
+        m_refit_model.corner_width = corner_of_draws * smallest_noise(net, sites);
+    }
 
     /// This many draws; fewer where the first ones are unreliable.
     [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress) const;
@@ -166,7 +170,7 @@ private:
     struct Workspace {
         explicit Workspace(const CableNet& net) : solver(net) {}
         EquilibriumSolver solver;
-        std::unique_ptr<LinearisedStatics> statics;
+        std::optional<Linearisation> last;  ///< of the fits
     };
     [[nodiscard]] std::optional<Draw> draw(int k, bool refit_all, Workspace& workspace) const;
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
@@ -186,12 +190,14 @@ private:
                                            const Eigen::VectorXd& tensions_in_balance) const;
 
     const CableNet& m_net;
-    const LinearisedStatics& m_statics;
+    const StaticsModel& m_model;
+    const Linearisation& m_linearisation;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
     Eigen::VectorXd m_blur_variances;      ///< m_I, LawBlur::length_variances() [m2]
     Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
+    StaticsModel m_refit_model;  ///< no edge carries pressure
     Iterate m_all_taut;
     std::uint64_t m_seed;
 };
@@ -207,8 +213,8 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
     double before = std::numeric_limits<double>::infinity();
     double part = 1.0;
     for (int k = 0; k < most_steps; ++k) {
-        const Iterate change = m_statics.step(iterate, observations);
-        const double size = m_statics.size_of(change);
+        const Iterate change = m_linearisation.step(iterate, observations);
+        const double size = m_linearisation.size_of(change);
         if (!(size < slow_contraction * before)) {
             // On a linear net the draw is then fitted by itself.
             part *= 0.5;
@@ -227,17 +233,10 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
 
 std::optional<Iterate> Perturbation::refitted(const Observations& observations,
                                               Workspace& workspace) const {
-    if (!workspace.statics) {
-        workspace.statics = std::make_unique<LinearisedStatics>(
-            m_net, m_knowledge.uncertain, m_knowledge.frame_is_unknown, m_knowledge.released,
-            m_knowledge.coupling());
-        workspace.statics->set_blur(m_statics.blur());
-        workspace.statics->set_slack(
-            m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
-        workspace.statics->round_corners(corner_of_draws * smallest_noise(m_net, m_sites));
-    }
-    GaussNewtonResult fit = feasible_descent(*workspace.statics, observations, m_all_taut,
-                                             decrement_of_draw, most_descents_a_draw);
+    GaussNewtonResult fit =
+        feasible_descent(m_refit_model, observations, m_all_taut, decrement_of_draw,
+                         most_descents_a_draw, {}, std::move(workspace.last));
+    workspace.last = std::move(fit.linearisation);
     if (!fit.converged) {
         return std::nullopt;
     }
@@ -253,10 +252,10 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
                                                bool refit, RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
-        m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
+        m_model.common.cold(lengths, drawn.common) - m_net.unstressed_lengths();
     const std::vector<bool> slack = slack_in(drawn.deviations, spans, refit);
-    const Eigen::VectorXd tensions = m_statics.tensions(drawn);
-    const Eigen::VectorXd& of_stiffness = m_statics.blur().stiffness;
+    const Eigen::VectorXd tensions = m_model.tensions(drawn);
+    const Eigen::VectorXd& of_stiffness = m_model.blur.stiffness;
     Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
     for (int i = 0; i < drawn.deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
@@ -291,7 +290,7 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
 std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
                                          const Eigen::VectorXd& spans, bool refit) const {
     if (!refit) {
-        return m_statics.slack();
+        return m_model.slack;
     }
     std::vector<bool> slack(m_net.edge_count(), false);
     for (int i = 0; i < deviations.size(); ++i) {
@@ -304,7 +303,7 @@ std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
 /// Unstressed length at which an edge with a tension law carries this tension at this length.
 double Perturbation::length_of_tension(int edge, double length, double tension,
                                        double own_stiffness, const Eigen::VectorXd& common) const {
-    const CommonParameters& uncertain = m_statics.common();
+    const CommonParameters& uncertain = m_model.common;
     const double stiffness = uncertain.stiffness_factor(edge, common) * std::exp(own_stiffness);
     const double strain = m_net.tension_law(edge)->strain_at(tension / stiffness);
     return length / (1.0 + strain) / (1.0 + uncertain.thermal_strain(edge, common));
@@ -314,7 +313,7 @@ double Perturbation::length_of_tension(int edge, double length, double tension,
 ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
                                                    const Eigen::VectorXd& own_stiffness) const {
     ModelPerturbation result = unperturbed(m_net);
-    const CommonParameters& common = m_statics.common();
+    const CommonParameters& common = m_model.common;
     for (int e = 0; e < m_net.edge_count(); ++e) {
         result.stiffness(e) = std::log(common.stiffness_factor(e, drawn.common)) + own_stiffness(e);
         result.thermal(e) = common.thermal_strain(e, drawn.common);
@@ -332,7 +331,7 @@ double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
                                        const Eigen::VectorXd& tensions_in_balance) const {
     double sum = m_sites.squared_norm(form - drawn.form);
     if (!m_knowledge.forces.measurements.empty()) {
-        const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
+        const Eigen::VectorXd by_draw = m_model.tensions(drawn);
         for (const ForceMeasurement& force : m_knowledge.forces.measurements) {
             const int e = force.edge;
             sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - by_draw(e), 2);
@@ -369,7 +368,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         result.tensions = tensions(net, l_0, found.form);
         return found.balanced();
     };
-    if (m_knowledge.uncertain.empty() && m_statics.common().count() == 0) {
+    if (m_knowledge.uncertain.empty() && m_model.common.count() == 0) {
         if (!balance(workspace.solver, m_net, lengths)) {
             return std::nullopt;
         }
@@ -381,7 +380,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
             if (!balance(solver, net, net.unstressed_lengths())) {
                 return std::nullopt;
             }
-            result.perturbation->supports -= m_statics.common().frame_motion(drawn.common);
+            result.perturbation->supports -= m_model.common.frame_motion(drawn.common);
         } catch (const NetError&) {
             return std::nullopt;  // a length that is no longer positive
         }
@@ -458,11 +457,10 @@ bool PerturbedDraws::is_unreliable() const {
     return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
 }
 
-PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics& statics,
+PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedFit& fitted,
                                     const Observations& sites, const PriorKnowledge& knowledge,
-                                    const Iterate& fitted, int draws, std::uint64_t seed,
-                                    const Progress& progress) {
-    const Perturbation perturbation(net, statics, sites, knowledge, fitted, seed);
+                                    int draws, std::uint64_t seed, const Progress& progress) {
+    const Perturbation perturbation(net, fitted, sites, knowledge, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
     return linear.is_unreliable() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
                                                         : linear;
