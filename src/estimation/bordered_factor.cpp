@@ -13,10 +13,8 @@ double dot(const SaddlePointFactor::Vector& a, const SaddlePointFactor::Vector& 
 }
 
 BorderedFactor::BorderedFactor(const LocalNet& net, const std::vector<bool>& unknown,
-                               Supports supports, Lengths lengths, int border_count)
-    : inner(net, unknown, supports, lengths), m_edges(net.edges), m_unknown(unknown) {
-    set_border_count(border_count);
-}
+                               Supports supports, Lengths lengths)
+    : inner(net, unknown, supports, lengths), m_edges(net.edges), m_unknown(unknown) {}
 
 void BorderedFactor::set_border_count(int count) {
     border.assign(count, {});

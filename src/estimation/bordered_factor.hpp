@@ -24,7 +24,7 @@ namespace taut {
 class BorderedFactor {
 public:
     BorderedFactor(const LocalNet& net, const std::vector<bool>& unknown, Supports supports,
-                   Lengths lengths, int border_count);
+                   Lengths lengths);
 
     using Inner = SaddlePointFactor::Vector;
 

@@ -10,19 +10,20 @@
 
 namespace taut {
 namespace {
-using Score = LinearisedStatics::Score;
+using Score = Linearisation::Score;
 
 /// Score of a shift of an uncertain support: with P the precision of its prior place and C the
 /// posterior covariance of the place, the gradient is P (found - expected), with the covariance
 /// P - P C P. C includes the variance of an unknown frame. Directions of which the survey shows
 /// less than a quarter are not tested. docs/theory.md, (boundary)
-Score score_of_place(int node, const CableNet& net, const LinearisedStatics& statics,
-                     const Iterate& fitted, const Observations& observations) {
+Score score_of_place(int node, const CableNet& net, const CommonParameters& common,
+                     const Covariance& covariance, const Iterate& fitted,
+                     const Observations& observations) {
     const Eigen::Vector3d precision = observations.support_weights.col(node);
     const Eigen::Vector3d shift = fitted.form.col(node) - net.nodes().col(node) -
-                                  statics.common().support_motion(fitted.common).col(node);
+                                  common.support_motion(fitted.common).col(node);
     const Eigen::Matrix3d P = precision.asDiagonal();
-    const Eigen::Matrix3d information = P - P * statics.form_covariance(node) * P;
+    const Eigen::Matrix3d information = P - P * covariance.places[node] * P;
     constexpr double least_part = 0.25;
     Score score{.gradient = P * shift, .information = 0.0 * information};
     if (information.allFinite()) {
@@ -63,9 +64,8 @@ void take_score(Hypothesis& hypothesis, const Score& score, double scale) {
 }
 
 /// The test of a released one: its estimate is a parameter of the fit.
-void take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics, const Iterate& fitted,
-                   double scale) {
-    const CommonParameters& common = statics.common();
+void take_estimate(Hypothesis& hypothesis, const CommonParameters& common,
+                   const Eigen::MatrixXd& common_covariance, const Iterate& fitted, double scale) {
     const bool is_support = hypothesis.kind == Suspect::support;
     const std::vector<int>& members =
         is_support ? common.released().moved : common.released().turned;
@@ -74,8 +74,7 @@ void take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics, con
     const int count = hypothesis.degrees_of_freedom;
     const int first = is_support ? common.place_of_moved(place) : common.place_of_turned(place);
     const Eigen::VectorXd values = fitted.common.segment(first, count);
-    const Eigen::MatrixXd covariance =
-        statics.common_covariance().block(first, first, count, count);
+    const Eigen::MatrixXd covariance = common_covariance.block(first, first, count, count);
     const double unit = CommonParameters::released_unit();
     hypothesis.test = Hypothesis::Test::released;
     hypothesis.deviation.head(count) = unit * values;
@@ -117,23 +116,25 @@ std::vector<Hypothesis> boundary_hypotheses(const CableNet& net, double false_al
 }
 
 void test_boundary(Hypotheses& hypotheses, const CableNet& net, bool are_supports_uncertain,
-                   const LinearisedStatics& statics, const Iterate& fitted,
-                   const Observations& observations) {
+                   const Linearisation& linearisation, const Covariance& covariance,
+                   const Iterate& fitted, const Observations& observations) {
+    const CommonParameters& common = linearisation.model().common;
     const auto score_of = [&](const Hypothesis& hypothesis) {
         if (hypothesis.kind == Suspect::adjustable_edge) {
-            return statics.score_of_edge(hypothesis.index, fitted, observations);
+            return linearisation.score_of_edge(hypothesis.index, covariance, fitted, observations);
         }
         if (are_supports_uncertain) {
-            return score_of_place(hypothesis.index, net, statics, fitted, observations);
+            return score_of_place(hypothesis.index, net, common, covariance, fitted, observations);
         }
         const std::span<const int> edges = net.edges_at(hypothesis.index);
-        return statics.score_of_support(hypothesis.index, {edges.begin(), edges.end()}, fitted,
-                                        observations);
+        return linearisation.score_of_support(hypothesis.index, {edges.begin(), edges.end()},
+                                              covariance, fitted, observations);
     };
     for (const Suspect kind : {Suspect::adjustable_edge, Suspect::support}) {
         for (Hypothesis& hypothesis : hypotheses.of(kind)) {
             if (hypothesis.is_released()) {
-                take_estimate(hypothesis, statics, fitted, hypotheses.residual_scale);
+                take_estimate(hypothesis, common, covariance.common, fitted,
+                              hypotheses.residual_scale);
             } else {
                 take_score(hypothesis, score_of(hypothesis), hypotheses.residual_scale);
             }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "estimation/hypotheses.hpp"
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -20,10 +20,9 @@ namespace taut {
 /// (boundary); of a released one, of which the survey alone determines the length or place, the
 /// estimate.
 /// @param are_supports_uncertain supports are tested against their standard deviation
-/// @param fitted where the statics are linearised and inverted
 void test_boundary(Hypotheses& hypotheses, const CableNet& net, bool are_supports_uncertain,
-                   const LinearisedStatics& statics, const Iterate& fitted,
-                   const Observations& observations);
+                   const Linearisation& linearisation, const Covariance& covariance,
+                   const Iterate& fitted, const Observations& observations);
 
 /// The adjustable edges and supports to fit with as free.
 [[nodiscard]] BoundaryReleases boundary_releases(const Hypotheses& hypotheses);

@@ -85,20 +85,20 @@ EpochStep EpochStep::reversed() const {
             .prior_to = prior_from};
 }
 
-LengthEvidence own_evidence(const LinearisedStatics& statics, const Observations& observations,
-                            const Iterate& fitted, int common_count) {
-    const Eigen::Index lengths = fitted.deviations.size();
+LengthEvidence own_evidence(const LinearisedFit& fitted, const Observations& observations,
+                            int common_count) {
+    const Eigen::Index lengths = fitted.iterate.deviations.size();
     Eigen::VectorXd prior_variances = Eigen::VectorXd::Ones(lengths + common_count);
     prior_variances.head(lengths) =
-        observations.variance + statics.blur().length_variances(lengths);
+        observations.variance + fitted.model().blur.length_variances(lengths);
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(lengths + common_count);
     mean.head(lengths) = observations.mean;
     mean.tail(common_count) = observations.common_mean.head(common_count);
     const Eigen::VectorXd stds = prior_variances.cwiseSqrt();
     const auto by_std = stds.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd precision =
-        inverse_of(by_std * statics.evidence_covariance(common_count) * by_std);
-    const Eigen::VectorXd x = by_std * fitted.lengths_and_common(stds.size());
+        inverse_of(by_std * fitted.linearisation.evidence_covariance(common_count) * by_std);
+    const Eigen::VectorXd x = by_std * fitted.iterate.lengths_and_common(stds.size());
     LengthEvidence result{.information = by_std * precision * by_std,
                           .root = {},
                           .pull = by_std * (precision * x - by_std * mean)};

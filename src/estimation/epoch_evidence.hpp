@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 
 namespace taut {
@@ -29,11 +29,9 @@ struct EpochStep {
 
 /// The evidence of one survey alone on x, at its fit: the information that neither the prior nor
 /// other surveys hold. docs/theory.md, (own-evidence).
-/// @param statics linearised and inverted at the fit
 /// @param common_count number of common parameters in x
-[[nodiscard]] LengthEvidence own_evidence(const LinearisedStatics& statics,
-                                          const Observations& observations, const Iterate& fitted,
-                                          int common_count);
+[[nodiscard]] LengthEvidence own_evidence(const LinearisedFit& fitted,
+                                          const Observations& observations, int common_count);
 
 /// The evidence of no survey.
 [[nodiscard]] LengthEvidence no_evidence(Eigen::Index size);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "estimation/gauss_newton.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "numerics/truncated_mixture.hpp"
 
@@ -48,11 +50,11 @@ struct Distance {
 
 /// One round of (tilted) and (site).
 void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
-                         const LinearisedStatics& statics, const Iterate& fitted,
-                         Observations& observations, Distance& distance) {
-    const std::vector<LengthLikelihood> likelihoods =
-        length_likelihoods(net, knowledge, statics, observations, fitted);
-    const Eigen::VectorXd blur = statics.blur().length_variances(net.interior_edge_count());
+                         const LinearisedFit& fitted, Observations& observations,
+                         Distance& distance) {
+    const std::vector<LengthLikelihood> likelihoods = length_likelihoods(
+        net, knowledge, fitted.model(), fitted.covariance, observations, fitted.iterate);
+    const Eigen::VectorXd blur = fitted.model().blur.length_variances(net.interior_edge_count());
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const LengthPrior& prior = knowledge.priors[i];
         LengthLikelihood cavity = likelihoods[i];
@@ -67,9 +69,10 @@ void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
         const double pull = (precision + of_cavity) * mean - of_cavity * cavity.mean;
         // The fitted deviation includes that of the blur; this part is the edge's own.
         const double own = observations.variance(i) / (observations.variance(i) + blur(i));
-        distance.add(mean,
-                     observations.mean(i) + own * (fitted.deviations(i) - observations.mean(i)),
-                     variance);
+        distance.add(
+            mean,
+            observations.mean(i) + own * (fitted.iterate.deviations(i) - observations.mean(i)),
+            variance);
         const double old_precision = 1.0 / observations.variance(i);
         const double old_pull = old_precision * observations.mean(i);
         const double new_precision = old_precision + site_damping * (precision - old_precision);
@@ -89,10 +92,9 @@ public:
           m_pull(m_precision) {}
 
     /// One round of (tilted-taut) and (site).
-    void update(const LinearisedStatics& statics, const Iterate& fitted, Observations& observations,
-                Distance& distance) {
-        const Eigen::VectorXd tensions = statics.tensions(fitted);
-        const Eigen::VectorXd variances = statics.tension_variances();
+    void update(const LinearisedFit& fitted, Observations& observations, Distance& distance) {
+        const Eigen::VectorXd tensions = fitted.model().tensions(fitted.iterate);
+        const Eigen::VectorXd& variances = fitted.covariance.tensions;
         for (const int e : m_edges) {
             const double cavity_precision = 1.0 / variances(e) - m_precision(e);
             if (!(variances(e) > 0.0) || !(cavity_precision > 0.0)) {
@@ -127,52 +129,51 @@ private:
     Eigen::VectorXd m_pull;       ///< precision times mean [1/N]
 };
 
-/// One step of the fit to the sites as they now are.
-/// @return false where it is not finite
-bool follow_sites(LinearisedStatics& statics, Propagated& state) {
-    if (!statics.linearise(state.iterate, state.observations)) {
-        return false;
+/// The sites where they converge, else nothing.
+std::optional<Propagated> converged_sites(const CableNet& net, const PriorKnowledge& knowledge,
+                                          LinearisedFit start, Observations sites,
+                                          double tolerance) {
+    const StaticsModel model = start.model();
+    TautSites taut(knowledge, sites);
+    std::optional<LinearisedFit> fit = std::move(start);
+    for (int round = 0; fit && round < most_rounds; ++round) {
+        Distance distance;
+        update_length_sites(net, knowledge, *fit, sites, distance);
+        taut.update(*fit, sites, distance);
+        if (distance.rms() > converged_part) {
+            fit = (*std::move(fit)).stepped(sites);  // one step a round
+            continue;
+        }
+        GaussNewtonResult last = gauss_newton(model, sites, std::move(fit->iterate), tolerance,
+                                              most_iterations, {}, std::move(fit->linearisation));
+        if (!last.converged) {
+            break;
+        }
+        Covariance covariance = last.linearisation->covariance();
+        return Propagated{
+            std::move(sites),
+            {std::move(last.iterate), *std::move(last.linearisation), std::move(covariance)}};
     }
-    statics.invert();
-    const Iterate step = statics.step(state.iterate, state.observations);
-    state.iterate = state.iterate.moved(step);
-    return std::isfinite(statics.size_of(step));
+    return std::nullopt;
 }
 
 }  // namespace
 
 Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
-                           LinearisedStatics& statics, const Observations& observations,
-                           const Iterate& fitted, double tolerance) {
-    Propagated result{.observations = observations, .iterate = fitted};
+                           LinearisedFit fitted, const Observations& observations,
+                           double tolerance) {
     const bool is_normal = std::ranges::all_of(knowledge.priors, [](const LengthPrior& prior) {
         return prior.kind == LengthPrior::Kind::normal;
     });
     if (is_normal && knowledge.forces.taut.empty()) {
-        return result;
+        return {observations, std::move(fitted)};
     }
-    TautSites taut(knowledge, observations);
-    bool has_converged = false;
-    for (int round = 0; round < most_rounds; ++round) {
-        Distance distance;
-        update_length_sites(net, knowledge, statics, result.iterate, result.observations, distance);
-        taut.update(statics, result.iterate, result.observations, distance);
-        const double moved = distance.rms();
-        // One step a round; the last ones are gauss_newton()'s.
-        if (moved <= converged_part || !follow_sites(statics, result)) {
-            GaussNewtonResult fit = gauss_newton(statics, result.observations, result.iterate,
-                                                 tolerance, most_iterations);
-            result.iterate = std::move(fit.iterate);
-            has_converged = fit.converged && moved <= converged_part;
-            break;
-        }
-    }
-    if (!has_converged) {
-        result = {.observations = observations, .iterate = fitted};
-        (void)statics.linearise(fitted, observations);
-    }
-    statics.invert();
-    return result;
+    const StaticsModel model = fitted.model();
+    const Iterate at = fitted.iterate;
+    std::optional<Propagated> found =
+        converged_sites(net, knowledge, std::move(fitted), observations, tolerance);
+    return found ? *std::move(found)
+                 : Propagated{observations, linearised_fit(model, at, observations)};
 }
 
 }  // namespace taut

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "estimation/gauss_newton.hpp"
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 
@@ -13,7 +12,7 @@ namespace taut {
 /// with them.
 struct Propagated {
     Observations observations;  ///< mean and variance: the sites
-    Iterate iterate;            ///< the fit, of which the statics hold linearisation and inverse
+    LinearisedFit fit;
 };
 
 /// Expectation propagation of the prior through the fit, docs/theory.md (tilted) and (site). The
@@ -21,12 +20,10 @@ struct Propagated {
 /// all edges at once, until the means converge. The fit's means are then those of the posterior, as
 /// far as normal distributions can represent it. A normal prior is its own site. Where this or the
 /// fit does not converge, the result is the input.
-/// @param statics linearised and inverted at the fit; left so at the result
 /// @param observations with the prior that the fit was made with
 /// @param tolerance of gauss_newton() [m]
 [[nodiscard]] Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
-                                         LinearisedStatics& statics,
-                                         const Observations& observations, const Iterate& fitted,
+                                         LinearisedFit fitted, const Observations& observations,
                                          double tolerance);
 
 }  // namespace taut

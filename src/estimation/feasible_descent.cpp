@@ -28,12 +28,12 @@ constexpr double least_gain = 0.1;
 constexpr double good_gain = 0.5;
 
 /// In standard deviations of observations and priors; of unobserved places in those of the lengths.
-double length_of(const LinearisedStatics& statics, const Observations& observations,
+double length_of(const Linearisation& linearisation, const Observations& observations,
                  const Iterate& change) {
     const Eigen::ArrayXXd unobserved =
         (observations.weights.array() + observations.support_weights.array() == 0.0)
             .select(change.form.array().abs(), 0.0);
-    return std::max(std::sqrt(statics.squared_norm(observations, change)),
+    return std::max(std::sqrt(linearisation.squared_norm(observations, change)),
                     unobserved.maxCoeff() / std::sqrt(observations.variance.mean()));
 }
 
@@ -46,25 +46,26 @@ Observations damped(const Observations& observations, const Iterate& iterate, do
 }
 
 /// Observations and priors that agree with the iterate: a step then only restores balance.
-Observations satisfied(const LinearisedStatics& statics, const Observations& observations,
+Observations satisfied(const StaticsModel& model, const Observations& observations,
                        const Iterate& iterate) {
     Observations result = observations;
     result.form = iterate.form;
-    result.support_mean = statics.support_deviations(iterate);
+    result.support_mean = model.support_deviations(iterate);
     result.mean = iterate.deviations;
     result.load_mean = iterate.loads;
     result.common_mean = iterate.common;
-    result.tension = statics.tensions(iterate);
+    result.tension = model.tensions(iterate);
     return result;
 }
 
 /// (projection): back to equilibrium by the matrix as linearised.
-std::optional<Iterate> projected(const LinearisedStatics& statics, const Observations& observations,
-                                 Iterate iterate) {
+std::optional<Iterate> projected(const Linearisation& linearisation,
+                                 const Observations& observations, Iterate iterate) {
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < most_projections; ++k) {
-        const Iterate change = statics.step(iterate, satisfied(statics, observations, iterate));
-        const double size = length_of(statics, observations, change);
+        const Iterate change =
+            linearisation.step(iterate, satisfied(linearisation.model(), observations, iterate));
+        const double size = length_of(linearisation, observations, change);
         if (!(size <= slowest_contraction * before)) {
             return std::nullopt;
         }
@@ -78,62 +79,61 @@ std::optional<Iterate> projected(const LinearisedStatics& statics, const Observa
 }
 
 /// An iterate in equilibrium near a given one; nothing where there is no factor.
-std::optional<Iterate> balanced(LinearisedStatics& statics, const Observations& observations,
-                                Iterate iterate) {
+/// @param at on return linearised nearby
+std::optional<Iterate> balanced(const StaticsModel& model, const Observations& observations,
+                                Iterate iterate, std::optional<Linearisation>& at) {
     for (int k = 0; k < most_restorations; ++k) {
-        const Observations here = satisfied(statics, observations, iterate);
-        if (!statics.linearise(iterate, here)) {
+        const Observations here = satisfied(model, observations, iterate);
+        at = linearise(model, iterate, here, std::move(at));
+        if (!at) {
             return std::nullopt;
         }
-        if (auto found = projected(statics, here, iterate)) {
+        if (auto found = projected(*at, here, iterate)) {
             return found;
         }
-        iterate = iterate.moved(statics.step(iterate, here));
+        iterate = iterate.moved(at->step(iterate, here));
     }
     return iterate;
 }
 
 }  // namespace
 
-GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observations& observations,
+GaussNewtonResult feasible_descent(const StaticsModel& model, const Observations& observations,
                                    Iterate start, double small_decrement, int max_iterations,
-                                   const Progress& progress) {
-    GaussNewtonResult result{.iterate = std::move(start)};
-    const auto linearise = [&](const Observations& observed) {
-        result.has_factor = statics.linearise(result.iterate, observed);
-        return result.has_factor;
-    };
-    auto begin = balanced(statics, observations, result.iterate);
-    result.has_factor = begin.has_value();
+                                   const Progress& progress, std::optional<Linearisation> before) {
+    GaussNewtonResult result{.iterate = std::move(start), .linearisation = std::move(before)};
+    std::optional<Linearisation>& at = result.linearisation;
+    auto begin = balanced(model, observations, result.iterate, at);
     if (!begin) {
         return result;
     }
     result.iterate = std::move(*begin);
-    double F = statics.objective(observations, result.iterate);
+    double F = model.objective(observations, result.iterate);
     double damping = first_damping;
-    while (result.iterations < max_iterations && damping < most_damping) {
+    for (int k = 0; k < max_iterations && damping < most_damping; ++k) {
         progress.throw_if_stopped();
-        ++result.iterations;
         const Observations here = damped(observations, result.iterate, damping);
-        if (!linearise(here)) {
+        at = linearise(model, result.iterate, here, std::move(at));
+        if (!at) {
             return result;
         }
-        const Iterate step = statics.step(result.iterate, here);  // (damped)
-        const double predicted = 0.5 * statics.squared_norm(here, step);
+        const Iterate step = at->step(result.iterate, here);  // (damped)
+        const double predicted = 0.5 * at->squared_norm(here, step);
         // Bounds the length of the undamped step.
-        if (std::sqrt((1.0 + damping) * statics.squared_norm(here, step)) <= small_decrement) {
-            if (!linearise(observations)) {
+        if (std::sqrt((1.0 + damping) * at->squared_norm(here, step)) <= small_decrement) {
+            at = linearise(model, result.iterate, observations, std::move(at));
+            if (!at) {
                 return result;
             }
-            const Iterate last = statics.step(result.iterate, observations);
+            const Iterate last = at->step(result.iterate, observations);
             result.converged =
-                length_of(statics, observations, last) <= small_decrement;  // (decrement)
+                length_of(*at, observations, last) <= small_decrement;  // (decrement)
             if (result.converged) {
                 return result;
             }
         }
-        const auto trial = projected(statics, here, result.iterate.moved(step));
-        const double decrease = trial ? F - statics.objective(observations, *trial) : -1.0;
+        const auto trial = projected(*at, here, result.iterate.moved(step));
+        const double decrease = trial ? F - model.objective(observations, *trial) : -1.0;
         if (decrease > least_gain * predicted) {
             result.iterate = *trial;
             F -= decrease;

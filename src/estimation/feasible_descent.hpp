@@ -3,7 +3,6 @@
 #pragma once
 
 #include "estimation/gauss_newton.hpp"
-#include "estimation/linearised_statics.hpp"
 
 namespace taut {
 
@@ -15,14 +14,15 @@ namespace taut {
 ///
 /// A step solves (damped); projections then restore the balance, (projection). It converges where
 /// the undamped step is shorter than `small_decrement` posterior standard deviations, all
-/// directions together, (decrement). Then the statics are left linearised at the result.
-/// @param start near equilibrium under the statics
+/// directions together, (decrement).
+/// @param start near equilibrium under the model
 /// @param max_iterations linearisations
 /// @param progress asked before each step whether to stop; gets no reports
+/// @param before as of linearise(), of which `model` is no part
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] GaussNewtonResult feasible_descent(LinearisedStatics& statics,
-                                                 const Observations& observations, Iterate start,
-                                                 double small_decrement, int max_iterations,
-                                                 const Progress& progress = {});
+[[nodiscard]] GaussNewtonResult feasible_descent(
+    const StaticsModel& model, const Observations& observations, Iterate start,
+    double small_decrement, int max_iterations, const Progress& progress = {},
+    std::optional<Linearisation> before = std::nullopt);
 
 }  // namespace taut

@@ -25,11 +25,11 @@ bool FrameCheck::is_scaled() const {
     return scale_std > 0.0 && std::abs(scale) > significant_std * scale_std;
 }
 
-FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, const Iterate& fitted,
+FrameCheck check_frame(const CableNet& net, const LinearisedFit& fitted,
                        const Observations& observations, double scale) {
     const Eigen::Vector3d middle = net.nodes().rowwise().mean();
     const Points arms = net.nodes().colwise() - middle;
-    const bool is_frame_given = !statics.common().has_frame();
+    const bool is_frame_given = !fitted.model().common.has_frame();
     const double reach = arms.colwise().norm().maxCoeff();
     std::vector<Points> rates{arms};
     for (int k = 0; is_frame_given && k < 6; ++k) {
@@ -39,7 +39,8 @@ FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, co
             motion.col(node) = k < 3 ? along : Eigen::Vector3d(along.cross(arms.col(node)) / reach);
         }
     }
-    const LinearisedStatics::Score score = statics.score_of_survey(rates, fitted, observations);
+    const Linearisation::Score score =
+        fitted.linearisation.score_of_survey(rates, fitted.iterate, observations);
     const Eigen::LDLT<Eigen::MatrixXd> factor(score.information);
     constexpr double rounding = 1e-9;
     if (!(factor.vectorD().minCoeff() > rounding * score.information.diagonal().maxCoeff())) {

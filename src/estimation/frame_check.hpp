@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "taut/estimation/diagnostics.hpp"
 #include "taut/net/cable_net.hpp"
@@ -10,10 +10,8 @@
 namespace taut {
 
 /// Whether a survey fits better if it is moved or scaled as a whole, docs/theory.md (frame-check).
-/// @param statics linearised and inverted at the fit
 /// @param scale Hypotheses::residual_scale
-[[nodiscard]] FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics,
-                                     const Iterate& fitted, const Observations& observations,
-                                     double scale);
+[[nodiscard]] FrameCheck check_frame(const CableNet& net, const LinearisedFit& fitted,
+                                     const Observations& observations, double scale);
 
 }  // namespace taut

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "numerics/dense.hpp"
 
@@ -34,55 +36,44 @@ constexpr double two_nodes_do = 0.10;
 constexpr double improbable = 0.02;
 
 /// d log Z / d log sigma of a normal prior N(0, sigma^2): (prior-evidence).
-double score_of_scale(const CableNet& net, const LinearisedStatics& statics,
-                      const Observations& observations, const Iterate& fitted,
-                      const std::vector<bool>& left_out) {
-    const Eigen::VectorXd variances = statics.length_variances();
+double score_of_scale(const CableNet& net, const LinearisedFit& fitted,
+                      const Observations& observations, const std::vector<bool>& left_out) {
+    const Eigen::VectorXd& variances = fitted.covariance.lengths;
     double score = 0.0;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         if (left_out[i] || !(variances(i) > 0.0)) {
             continue;
         }
-        const double square = fitted.deviations(i) * fitted.deviations(i);
+        const double square = fitted.iterate.deviations(i) * fitted.iterate.deviations(i);
         score += (square + variances(i)) / observations.variance(i) - 1.0;
     }
     return score;
 }
 
-/// Score of the scale where normal priors have the standard deviation exp(log_std).
-/// @param fitted on return the linearised fit with these priors
-/// @return NaN where there is none
-double score_at(double log_std, const CableNet& net, LinearisedStatics& statics,
-                const Observations& observations, Iterate& fitted,
-                const std::vector<bool>& left_out) {
-    Observations scaled = observations;
-    for (int i = 0; i < net.interior_edge_count(); ++i) {
-        if (!left_out[i]) {
-            scaled.mean(i) = 0.0;
-            scaled.variance(i) = std::exp(2.0 * log_std);
+/// The observations where normal priors have the standard deviation exp(log_std).
+Observations scaled_to(double log_std, Observations observations,
+                       const std::vector<bool>& left_out) {
+    for (Eigen::Index i = 0; i < observations.variance.size(); ++i) {
+        if (!left_out[static_cast<size_t>(i)]) {
+            observations.mean(i) = 0.0;
+            observations.variance(i) = std::exp(2.0 * log_std);
         }
     }
-    if (!statics.linearise(fitted, scaled)) {
-        return std::nan("");
-    }
-    const Iterate step = statics.step(fitted, scaled);
-    if (!std::isfinite(statics.size_of(step))) {
-        return std::nan("");
-    }
-    fitted = fitted.moved(step);
-    statics.invert();
-    return score_of_scale(net, statics, scaled, fitted, left_out);
+    return observations;
 }
 
 /// Log evidence of normal priors at each place of the grid, up to a constant: the integral of the
-/// score.
+/// score. Empty where there is no fit with one of them.
 Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, const CableNet& net,
-                                   LinearisedStatics& statics, const Observations& observations,
-                                   Iterate fitted, const std::vector<bool>& left_out) {
+                                   LinearisedFit start, const Observations& observations,
+                                   const std::vector<bool>& left_out) {
     Eigen::VectorXd evidence = Eigen::VectorXd::Zero(grid.size());
     double before = 0.0;
+    std::optional<LinearisedFit> fitted = std::move(start);
     for (Eigen::Index k = 0; k < grid.size(); ++k) {
-        const double score = score_at(grid(k), net, statics, observations, fitted, left_out);
+        const Observations scaled = scaled_to(grid(k), observations, left_out);
+        fitted = (*std::move(fitted)).stepped(scaled);
+        const double score = fitted ? score_of_scale(net, *fitted, scaled, left_out) : std::nan("");
         if (!std::isfinite(score)) {
             return {};
         }
@@ -168,10 +159,9 @@ std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places
 }
 
 PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
-                             LinearisedStatics& statics, const Observations& observations,
-                             const Iterate& fitted, const std::vector<bool>& left_out,
-                             const LengthPrior& fit_prior, const FoundScale& scale,
-                             const PriorLikelihood& shapes) {
+                             LinearisedFit fitted, const Observations& observations,
+                             const std::vector<bool>& left_out, const LengthPrior& fit_prior,
+                             const FoundScale& scale, const PriorLikelihood& shapes) {
     const double centre = std::log(hyperprior.centre.std());
     double middle = centre;
     double half_width = grid_reach * hyperprior.log_std;
@@ -190,7 +180,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     if (is_found && scale.std < surely_normal) {
         evidence = -0.5 * ((grid.array() - found) / scale.std).square();
     } else {
-        evidence = evidence_by_scores(grid, net, statics, observations, fitted, left_out);
+        evidence = evidence_by_scores(grid, net, std::move(fitted), observations, left_out);
     }
     if (evidence.size() == 0) {
         evidence = Eigen::VectorXd::Zero(places);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_likelihood.hpp"
 #include "taut/estimation/diagnostics.hpp"
@@ -34,7 +34,6 @@ struct Hyperprior {
 /// The posterior over priors by their evidence: for the scale that of the linearised fit, for the
 /// shape that of its lengths. docs/theory.md, (prior-evidence)
 ///
-/// @param statics linearised and inverted at the fit; on return elsewhere
 /// @param observations of the fit, with a normal prior for each length
 /// @param fitted the result of the fit
 /// @param left_out interior edges (m_I) of another prior
@@ -42,8 +41,7 @@ struct Hyperprior {
 /// @param scale of the lengths, by estimate_components()
 /// @param shapes likelihood of priors by the same fit
 [[nodiscard]] PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
-                                           LinearisedStatics& statics,
-                                           const Observations& observations, const Iterate& fitted,
+                                           LinearisedFit fitted, const Observations& observations,
                                            const std::vector<bool>& left_out,
                                            const LengthPrior& fit_prior, const FoundScale& scale,
                                            const PriorLikelihood& shapes);

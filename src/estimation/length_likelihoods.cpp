@@ -9,17 +9,15 @@
 
 namespace taut {
 
-std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
-                                                 const PriorKnowledge& knowledge,
-                                                 const LinearisedStatics& statics,
-                                                 const Observations& observations,
-                                                 const Iterate& fitted) {
-    const Eigen::VectorXd variances = statics.length_variances();
-    const Eigen::VectorXd extension_variances = statics.extension_variances();
-    const Eigen::VectorXd prior_variances = statics.blur().length_variances(
-        net.interior_edge_count());  // (blurred-law), (own-stiffness)
+std::vector<LengthLikelihood> length_likelihoods(
+    const CableNet& net, const PriorKnowledge& knowledge, const StaticsModel& model,
+    const Covariance& covariance, const Observations& observations, const Iterate& fitted) {
+    const Eigen::VectorXd& variances = covariance.lengths;
+    const Eigen::VectorXd& extension_variances = covariance.extensions;
+    const Eigen::VectorXd prior_variances =
+        model.blur.length_variances(net.interior_edge_count());  // (blurred-law), (own-stiffness)
     const Eigen::VectorXd lengths =
-        statics.common().cold(edge_lengths(net, fitted.form), fitted.common);
+        model.common.cold(edge_lengths(net, fitted.form), fitted.common);
     const std::vector<bool> can_be_slack =
         knowledge.as_seen(std::vector<bool>(net.edge_count(), true));
     std::vector<LengthLikelihood> result;
@@ -36,7 +34,7 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         if (!can_be_slack[edge]) {
             likelihood.extension = std::numeric_limits<double>::infinity();
-        } else if (statics.slack()[edge]) {
+        } else if (model.slack[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();
             // Its length and the form are independent, so their variances add up.
             if (const double variance = extension_variances(i) - variances(i); variance > 0.0) {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "taut/estimation/length_posterior.hpp"
@@ -17,11 +17,9 @@ inline constexpr double surely_taut_extension = 4.0;
 /// The likelihood of each interior edge's length (m_I): the fit without the prior of that length.
 /// docs/theory.md, (likelihood)
 /// @param observations with the prior that the fit was made with
-/// @param fitted form and lengths under the statics, linearised and inverted there
-[[nodiscard]] std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
-                                                               const PriorKnowledge& knowledge,
-                                                               const LinearisedStatics& statics,
-                                                               const Observations& observations,
-                                                               const Iterate& fitted);
+/// @param covariance of the fit
+[[nodiscard]] std::vector<LengthLikelihood> length_likelihoods(
+    const CableNet& net, const PriorKnowledge& knowledge, const StaticsModel& model,
+    const Covariance& covariance, const Observations& observations, const Iterate& fitted);
 
 }  // namespace taut

@@ -261,7 +261,7 @@ std::vector<Hypothesis*> worth_a_look(Hypotheses& hypotheses, const PairTests& t
 }
 
 void test_pairs(const std::vector<Hypothesis*>& pairs, const PairTests& tests,
-                const LinearisedStatics& statics) {
+                const Linearisation& linearisation) {
     std::vector<int> places;
     for (const Hypothesis* pair : pairs) {
         places.insert(places.end(), {pair->index, pair->other});
@@ -271,8 +271,9 @@ void test_pairs(const std::vector<Hypothesis*>& pairs, const PairTests& tests,
     std::vector<int> edges(places.size());
     std::ranges::transform(places, edges.begin(),
                            [&](int i) { return tests.net.interior_edges()[i]; });
-    const Eigen::MatrixXd covariance = statics.length_covariance(edges);
-    const Eigen::VectorXd unseen = statics.blur().length_variances(tests.net.interior_edge_count());
+    const Eigen::MatrixXd covariance = linearisation.length_covariance(edges);
+    const Eigen::VectorXd unseen =
+        linearisation.model().blur.length_variances(tests.net.interior_edge_count());
     const auto place_of = [&](int i) {
         return std::ranges::lower_bound(places, i) - places.begin();
     };
@@ -340,7 +341,7 @@ std::vector<Hypothesis> length_hypotheses(const CableNet& net,
 void test_lengths(Hypotheses& hypotheses, const CableNet& net,
                   const std::vector<LengthPrior>& priors,
                   const std::vector<LengthLikelihood>& likelihoods,
-                  const LinearisedStatics& statics, const Observations& observations,
+                  const Linearisation& linearisation, const Observations& observations,
                   const Iterate& fitted) {
     const std::vector<bool> released = hypotheses.released_lengths();
     for (Hypothesis& length : hypotheses.of(Suspect::length)) {
@@ -348,7 +349,7 @@ void test_lengths(Hypotheses& hypotheses, const CableNet& net,
         test_length(length, priors[length.index], likelihoods[length.index]);
     }
     const PairTests tests{net, priors, likelihoods, observations, fitted};
-    test_pairs(worth_a_look(hypotheses, tests), tests, statics);
+    test_pairs(worth_a_look(hypotheses, tests), tests, linearisation);
 }
 
 bool is_slip(const Hypothesis& pair, const std::vector<LengthPrior>& priors) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "estimation/hypotheses.hpp"
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "taut/estimation/length_posterior.hpp"
 #include "taut/estimation/outlier.hpp"
@@ -26,11 +26,10 @@ namespace taut {
 /// Tests each of them at a fit: the prior of an edge's length is tested like a target, against the
 /// length that survey and statics give without it, docs/theory.md (length-snooping), (slip).
 /// @param likelihoods of each interior edge's length, without its prior (m_I)
-/// @param fitted where the statics are linearised and inverted
 void test_lengths(Hypotheses& hypotheses, const CableNet& net,
                   const std::vector<LengthPrior>& priors,
                   const std::vector<LengthLikelihood>& likelihoods,
-                  const LinearisedStatics& statics, const Observations& observations,
+                  const Linearisation& linearisation, const Observations& observations,
                   const Iterate& fitted);
 
 /// Whether one edge of a pair is as much longer as the other is shorter, within what a fit shows.

@@ -80,10 +80,9 @@ Posterior posterior_of_trend(const Eigen::VectorXd& score, const Eigen::MatrixXd
 
 }  // namespace
 
-LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
-                     const Observations& observations, const Iterate& fitted,
-                     const std::vector<bool>& left_out, const Eigen::VectorXd& adjustable_stds,
-                     const LengthPrior& prior) {
+LengthTrend trend_of(const CableNet& net, const LinearisedFit& fitted,
+                     const Observations& observations, const std::vector<bool>& left_out,
+                     const Eigen::VectorXd& adjustable_stds, const LengthPrior& prior) {
     LengthTrend trend;
     if (net.interior_edge_count() > most_edges) {
         return trend;
@@ -99,11 +98,12 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     const Eigen::Index count = trend.columns.cols();
     const Eigen::Index runs = count - 1 - (adjustable_std > 0.0 ? 1 : 0);
     const Eigen::VectorXd variances =
-        observations.variance + statics.blur().length_variances(observations.variance.size());
+        observations.variance + fitted.model().blur.length_variances(observations.variance.size());
     const Eigen::VectorXd weights = variances.cwiseInverse();
     const Eigen::MatrixXd weighted = weights.asDiagonal() * trend.columns;
-    const LinearisedStatics::LengthResponse response = statics.response_to_lengths(weighted);
-    Eigen::VectorXd score = weighted.transpose() * (fitted.deviations - observations.mean);
+    const Linearisation::LengthResponse response =
+        fitted.linearisation.response_to_lengths(weighted);
+    Eigen::VectorXd score = weighted.transpose() * (fitted.iterate.deviations - observations.mean);
     Eigen::MatrixXd information =
         trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
 

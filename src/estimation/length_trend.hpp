@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "taut/estimation/prior_estimate.hpp"
 #include "taut/net/cable_net.hpp"
@@ -30,12 +30,11 @@ struct LengthTrend {
 
 /// The trend that a fit without one shows. Empty where the net has so many edges that their mean is
 /// known better than the linearisation is accurate.
-/// @param statics linearised and inverted at the fit
 /// @param left_out interior edges (m_I) of another prior
 /// @param adjustable_stds prior standard deviation of uncertain lengths of adjustable edges, else
 ///   0 (m_I) [m]
-[[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
-                                   const Observations& observations, const Iterate& fitted,
+[[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedFit& fitted,
+                                   const Observations& observations,
                                    const std::vector<bool>& left_out,
                                    const Eigen::VectorXd& adjustable_stds,
                                    const LengthPrior& prior);

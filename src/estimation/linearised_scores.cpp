@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 
 namespace taut {
 
 /// The column of a number as a further unknown: its entries in the matrix and on the right side.
-struct LinearisedStatics::ScoreColumn {
+struct Linearisation::ScoreColumn {
     BorderedFactor::Vector entries;  ///< with all unknowns
     Eigen::VectorXd
         force_rates;        ///< of the force measurements, times the roots of their weights (m)
@@ -18,20 +18,13 @@ struct LinearisedStatics::ScoreColumn {
     double misfit = 0.0;    ///< on the right side
 };
 
-BorderedFactor::Vector LinearisedStatics::empty_vector() const {
-    return {.inner = {.places = Eigen::Matrix3Xd::Zero(3, std::ssize(m_nodes)),
-                      .lengths = Eigen::VectorXd::Zero(m_net.edge_count()),
-                      .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
-            .border = Eigen::VectorXd::Zero(m_common.count())};
-}
-
-void LinearisedStatics::add_edge_to_score(ScoreColumn& column, int edge,
-                                          const EdgeVariation& variation, const Iterate& iterate,
-                                          const Observations& observations) const {
-    if (m_slack[edge]) {
+void Linearisation::add_edge_to_score(ScoreColumn& column, int edge, const EdgeVariation& variation,
+                                      const Iterate& iterate,
+                                      const Observations& observations) const {
+    if (m_model->slack[edge]) {
         return;
     }
-    const EdgeRates e = rates(edge, iterate);
+    const EdgeRates e = m_model->rates(edge, iterate);
     const double weight = observations.tension_weights(edge);
     const double rate = add_to_column(edge, e, variation, weight, column.entries.inner);
     column.entries.border += weight * rate * m_tension_rates.row(edge).transpose();
@@ -40,8 +33,7 @@ void LinearisedStatics::add_edge_to_score(ScoreColumn& column, int edge,
 }
 
 /// (boundary): g = b - e' x and I = F - E' Z E, the row of the number as a free unknown.
-LinearisedStatics::Score LinearisedStatics::score_of(
-    const std::vector<ScoreColumn>& columns) const {
+Linearisation::Score Linearisation::score_of(const std::vector<ScoreColumn>& columns) const {
     const auto count = std::ssize(columns);
     Score result{.gradient = Eigen::VectorXd::Zero(count),
                  .information = Eigen::MatrixXd::Zero(count, count)};
@@ -56,7 +48,7 @@ LinearisedStatics::Score LinearisedStatics::score_of(
     }
     for (Eigen::Index i = 0; i < count; ++i) {
         const ScoreColumn& column = columns[i];
-        const BorderedFactor::Vector varied = m_matrix.solve(column.entries);
+        const BorderedFactor::Vector varied = m_matrix->solve(column.entries);
         for (Eigen::Index k = 0; k < count; ++k) {
             result.information(k, i) -= dot(columns[k].entries.inner, varied.inner) +
                                         columns[k].entries.border.dot(varied.border);
@@ -65,56 +57,61 @@ LinearisedStatics::Score LinearisedStatics::score_of(
     return result;
 }
 
-/// The same where all entries are multipliers of one node, for which the inverse is known.
-/// @param forces of the columns at the node
-LinearisedStatics::Score LinearisedStatics::score_at(int local,
-                                                     const Eigen::Matrix3Xd& forces) const {
-    return {.gradient = -forces.transpose() * m_multipliers.col(local),
-            .information = -forces.transpose() * m_covariance.multipliers[local] * forces};
-}
-
-LinearisedStatics::ScoreColumn LinearisedStatics::empty_score_column() const {
-    return {.entries = empty_vector(),
-            .force_rates = Eigen::VectorXd::Zero(m_net.edge_count()),
-            .surveyed_rates = Points::Zero(3, m_net.node_count()),
-            .pulls = Points::Zero(3, m_net.node_count())};
-}
-
-LinearisedStatics::Score LinearisedStatics::score_of_edge(int edge, const Iterate& iterate,
-                                                          const Observations& observations) const {
-    const auto [s, t] = m_local.edges[edge];
-    if (m_slack[edge]) {
-        return {.gradient = Eigen::VectorXd::Zero(1), .information = Eigen::MatrixXd::Zero(1, 1)};
+/// The same of numbers that change an edge with one free node and nothing else: all entries are
+/// multipliers of that node, for which the inverse is known. Nothing for other edges.
+std::optional<Linearisation::Score> Linearisation::score_at_one_node(
+    int edge, const std::vector<EdgeVariation>& variations, const Covariance& covariance,
+    const Iterate& iterate, const Observations& observations) const {
+    const auto [s, t] = m_model->numbering().local.edges[edge];
+    const int node = std::min(s, t);
+    const int free_count = m_model->numbering().local.free_count;
+    if (node >= free_count || std::max(s, t) < free_count || m_model->slack[edge] ||
+        observations.tension_weights(edge) > 0.0) {
+        return std::nullopt;
     }
+    const double sign = s < t ? 1.0 : -1.0;
+    const EdgeRates e = m_model->rates(edge, iterate);
+    Eigen::Matrix3Xd forces(3, std::ssize(variations));
+    for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+        forces.col(k) = sign * m_multiplier_unit * e.force_by(variations[k]);
+    }
+    return Score{.gradient = -forces.transpose() * m_multipliers.col(node),
+                 .information = -forces.transpose() * covariance.multipliers[node] * forces};
+}
+
+Linearisation::ScoreColumn Linearisation::empty_score_column() const {
+    return {.entries = empty_vector(),
+            .force_rates = Eigen::VectorXd::Zero(m_model->net().edge_count()),
+            .surveyed_rates = Points::Zero(3, m_model->net().node_count()),
+            .pulls = Points::Zero(3, m_model->net().node_count())};
+}
+
+Linearisation::Score Linearisation::score_of_edge(int edge, const Covariance& covariance,
+                                                  const Iterate& iterate,
+                                                  const Observations& observations) const {
     const EdgeVariation longer{.length = 1.0};
-    const bool has_one_free_node = std::max(s, t) >= m_local.free_count;
-    if (has_one_free_node && !(observations.tension_weights(edge) > 0.0)) {
-        const double sign = s < t ? 1.0 : -1.0;
-        return score_at(std::min(s, t), sign * force_of(rates(edge, iterate), longer));
+    if (auto score = score_at_one_node(edge, {longer}, covariance, iterate, observations)) {
+        return *std::move(score);
     }
     ScoreColumn column = empty_score_column();
     add_edge_to_score(column, edge, longer, iterate, observations);
     return score_of({std::move(column)});
 }
 
-LinearisedStatics::Score LinearisedStatics::score_of_support(
-    int node, const std::vector<int>& edges, const Iterate& iterate,
-    const Observations& observations) const {
+Linearisation::Score Linearisation::score_of_support(int node, const std::vector<int>& edges,
+                                                     const Covariance& covariance,
+                                                     const Iterate& iterate,
+                                                     const Observations& observations) const {
     const auto variation_of = [&](int edge, int k) -> EdgeVariation {
-        const double sign = m_net.edges()[edge][0] == node ? 1.0 : -1.0;
+        const double sign = m_model->net().edges()[edge][0] == node ? 1.0 : -1.0;
         return {.motion = sign * Eigen::Vector3d::Unit(k)};
     };
     const Eigen::Matrix3d weight = observations.weight(node);
-    const auto is_measured = [&](int edge) { return observations.tension_weights(edge) > 0.0; };
-    if (edges.size() == 1 && weight.isZero() && !is_measured(edges[0]) && !m_slack[edges[0]]) {
-        const auto [s, t] = m_local.edges[edges[0]];
-        if (std::min(s, t) < m_local.free_count) {
-            const EdgeRates of_edge = rates(edges[0], iterate);
-            Eigen::Matrix3d forces;
-            for (int k = 0; k < 3; ++k) {
-                forces.col(k) = (s < t ? 1.0 : -1.0) * force_of(of_edge, variation_of(edges[0], k));
-            }
-            return score_at(std::min(s, t), forces);
+    if (edges.size() == 1 && weight.isZero()) {
+        const auto along = [&](int k) { return variation_of(edges[0], k); };
+        if (auto score = score_at_one_node(edges[0], {along(0), along(1), along(2)}, covariance,
+                                           iterate, observations)) {
+            return *std::move(score);
         }
     }
     const Eigen::Vector3d misfit = observations.form.col(node) - iterate.form.col(node);
@@ -127,16 +124,16 @@ LinearisedStatics::Score LinearisedStatics::score_of_support(
         column.surveyed_rates(k, node) = 1.0;
         column.pulls.col(node) = weight.col(k);
         column.misfit += weight.col(k).dot(misfit);
-        for (int i = 0; i < m_common.count(); ++i) {
-            column.entries.border(i) += weight.col(k).dot(m_common.support_rate(i, node));
+        for (int i = 0; i < m_model->common.count(); ++i) {
+            column.entries.border(i) += weight.col(k).dot(m_model->common.support_rate(i, node));
         }
     }
     return score_of(columns);
 }
 
-LinearisedStatics::Score LinearisedStatics::score_of_survey(
-    const std::vector<Points>& rates, const Iterate& iterate,
-    const Observations& observations) const {
+Linearisation::Score Linearisation::score_of_survey(const std::vector<Points>& rates,
+                                                    const Iterate& iterate,
+                                                    const Observations& observations) const {
     const Points misfit = observations.form - iterate.form;
     std::vector<ScoreColumn> columns;
     for (const Points& rate : rates) {
@@ -144,11 +141,12 @@ LinearisedStatics::Score LinearisedStatics::score_of_survey(
         column.surveyed_rates = rate;
         column.pulls = observations.weighted(rate);
         column.misfit = column.pulls.cwiseProduct(misfit).sum();
-        column.entries.inner.places = m_length_unit * column.pulls(Eigen::all, m_nodes);
-        for (int k = 0; !are_supports_uncertain() && k < m_common.count(); ++k) {
-            for (const int node : m_net.supports()) {
+        column.entries.inner.places =
+            m_length_unit * column.pulls(Eigen::all, m_model->numbering().nodes);
+        for (int k = 0; !m_model->are_supports_uncertain() && k < m_model->common.count(); ++k) {
+            for (const int node : m_model->net().supports()) {
                 column.entries.border(k) +=
-                    m_common.support_rate(k, node).dot(column.pulls.col(node));
+                    m_model->common.support_rate(k, node).dot(column.pulls.col(node));
             }
         }
     }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -140,17 +139,23 @@ Iterate all_taut(const CableNet& net, const Iterate& fitted) {
 /// Draws one after another, each from its own random numbers.
 class Perturbation {
 public:
-    Perturbation(const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
-                 const PriorKnowledge& knowledge, const Iterate& fitted, std::uint64_t seed)
+    Perturbation(const CableNet& net, const LinearisedFit& fitted, const Observations& sites,
+                 const PriorKnowledge& knowledge, std::uint64_t seed)
         : m_net(net),
-          m_statics(statics),
+          m_model(fitted.model()),
+          m_linearisation(fitted.linearisation),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_blur_of_fits(blur_of_fits(statics.blur())),
           m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
-          m_fitted(fitted),
-          m_all_taut(all_taut(net, fitted)),
-          m_seed(seed) {}
+          m_fitted(fitted.iterate),
+          m_refit_model(m_model),
+          m_all_taut(all_taut(net, fitted.iterate)),
+          m_seed(seed) {
+        m_refit_model.slack = knowledge.as_seen(std::vector<bool>(net.edge_count(), false));
+        m_refit_model.corner_width = corner_of_draws * smallest_noise(net, sites);
+        m_refit_model.blur = blur_of_fits(m_model.blur);
+        m_refit_model.release_tension_laws();
+    }
 
     /// This many draws; fewer where the first ones are unreliable.
     [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress) const;
@@ -170,15 +175,20 @@ private:
     struct Workspace {
         explicit Workspace(const CableNet& net) : solver(net) {}
         EquilibriumSolver solver;
-        std::unique_ptr<LinearisedStatics> statics;
+        std::optional<Linearisation> last;  ///< of the fits
     };
     [[nodiscard]] std::optional<Draw> draw(int k, bool refit_all, Workspace& workspace) const;
-    [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
-    [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
-                                                  Workspace& workspace) const;
+    /// A fit to perturbed observations, and the tensions of all edges in it (m) [N].
+    struct Fit {
+        Iterate iterate;
+        Eigen::VectorXd tensions;
+    };
+    [[nodiscard]] std::optional<Fit> followed(const Observations& observations) const;
+    [[nodiscard]] std::optional<Fit> refitted(const Observations& observations,
+                                              Workspace& workspace) const;
     /// m_I, LawBlur::length_variances() [m2]
     [[nodiscard]] Eigen::VectorXd blur_variances(bool refit_all) const {
-        const LawBlur& blur = refit_all ? m_blur_of_fits : m_statics.blur();
+        const LawBlur& blur = refit_all ? m_refit_model.blur : m_model.blur;
         return blur.length_variances(m_net.interior_edge_count());
     }
     [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn, const Eigen::VectorXd& tensions,
@@ -197,19 +207,20 @@ private:
                                            const Eigen::VectorXd& tensions_in_balance) const;
 
     const CableNet& m_net;
-    const LinearisedStatics& m_statics;
+    const StaticsModel& m_model;
+    const Linearisation& m_linearisation;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    LawBlur m_blur_of_fits;
     Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
+    StaticsModel m_refit_model;  ///< no edge carries pressure
     Iterate m_all_taut;
     std::uint64_t m_seed;
 };
 
 /// Steps with the factor of the fit, each with the misfit and the forces at the result of the one
 /// before; shorter ones where these overshoot. Nothing where they do not converge.
-std::optional<Iterate> Perturbation::followed(const Observations& observations) const {
+std::optional<Perturbation::Fit> Perturbation::followed(const Observations& observations) const {
     constexpr double slow_contraction = 0.7;
     constexpr double least_part = 0.1;
     const int most_steps = m_net.is_linear() ? 20 : 60;
@@ -218,8 +229,8 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
     double before = std::numeric_limits<double>::infinity();
     double part = 1.0;
     for (int k = 0; k < most_steps; ++k) {
-        const Iterate change = m_statics.step(iterate, observations);
-        const double size = m_statics.size_of(change);
+        const Iterate change = m_linearisation.step(iterate, observations);
+        const double size = m_linearisation.size_of(change);
         if (!(size < slow_contraction * before)) {
             // On a linear net the draw is then fitted by itself.
             part *= 0.5;
@@ -229,41 +240,32 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
         }
         iterate = iterate.moved(change, part);
         if (size < small) {
-            return iterate;
+            Eigen::VectorXd tensions = m_model.tensions(iterate);
+            return Fit{std::move(iterate), std::move(tensions)};
         }
         before = size;
     }
     return std::nullopt;
 }
 
-std::optional<Iterate> Perturbation::refitted(const Observations& observations,
-                                              Workspace& workspace) const {
-    if (!workspace.statics) {
-        workspace.statics = std::make_unique<LinearisedStatics>(
-            m_net, m_knowledge.uncertain, m_knowledge.frame_is_unknown, m_knowledge.released,
-            m_knowledge.coupling());
-        workspace.statics->set_slack(
-            m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
-        workspace.statics->round_corners(corner_of_draws * smallest_noise(m_net, m_sites));
-    }
-    const auto set_blur = [&](double part) {
-        LawBlur blur = m_blur_of_fits;
-        blur.strain_stds *= part;
-        workspace.statics->set_blur(std::move(blur));
-    };
-    std::optional<Iterate> found;
-    double reached = 1.0;
+std::optional<Perturbation::Fit> Perturbation::refitted(const Observations& observations,
+                                                        Workspace& workspace) const {
+    // The line of a law is near enough to begin with; slack edges are not.
+    const auto near = m_net.is_linear() ? std::nullopt : followed(observations);
+    Iterate start = near ? near->iterate : m_all_taut;
+    StaticsModel model = m_refit_model;
+    std::optional<Fit> found;
     for (const double part : blurs_of_draws) {
-        set_blur(part);
+        model.blur.strain_stds = part * m_refit_model.blur.strain_stds;
         GaussNewtonResult fit =
-            feasible_descent(*workspace.statics, observations, found.value_or(m_all_taut),
-                             decrement_of_draw, most_descents_a_draw);
+            feasible_descent(model, observations, start, decrement_of_draw, most_descents_a_draw,
+                             {}, std::move(workspace.last));
+        workspace.last = std::move(fit.linearisation);
         if (!fit.converged) {
-            set_blur(reached);
             break;
         }
-        reached = part;
-        found = std::move(fit.iterate);
+        found = Fit{fit.iterate, model.tensions(fit.iterate)};
+        start = std::move(fit.iterate);
         if (m_net.is_linear()) {
             break;
         }
@@ -284,9 +286,9 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
                                                RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
-        m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
+        m_model.common.cold(lengths, drawn.common) - m_net.unstressed_lengths();
     const std::vector<bool> slack = slack_in(drawn.deviations, spans, refit);
-    const Eigen::VectorXd& of_stiffness = m_statics.blur().stiffness;
+    const Eigen::VectorXd& of_stiffness = m_model.blur.stiffness;
     Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
     for (int i = 0; i < drawn.deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
@@ -321,7 +323,7 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
 std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
                                          const Eigen::VectorXd& spans, bool refit) const {
     if (!refit) {
-        return m_statics.slack();
+        return m_model.slack;
     }
     std::vector<bool> slack(m_net.edge_count(), false);
     for (int i = 0; i < deviations.size(); ++i) {
@@ -334,7 +336,7 @@ std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
 /// Unstressed length at which an edge with a tension law carries this tension at this length.
 double Perturbation::length_of_tension(int edge, double length, double tension,
                                        double own_stiffness, const Eigen::VectorXd& common) const {
-    const CommonParameters& uncertain = m_statics.common();
+    const CommonParameters& uncertain = m_model.common;
     const double stiffness = uncertain.stiffness_factor(edge, common) * std::exp(own_stiffness);
     const double strain = m_net.tension_law(edge)->strain_at(tension / stiffness);
     return length / (1.0 + strain) / (1.0 + uncertain.thermal_strain(edge, common));
@@ -344,7 +346,7 @@ double Perturbation::length_of_tension(int edge, double length, double tension,
 ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
                                                    const Eigen::VectorXd& own_stiffness) const {
     ModelPerturbation result = unperturbed(m_net);
-    const CommonParameters& common = m_statics.common();
+    const CommonParameters& common = m_model.common;
     for (int e = 0; e < m_net.edge_count(); ++e) {
         result.stiffness(e) = std::log(common.stiffness_factor(e, drawn.common)) + own_stiffness(e);
         result.thermal(e) = common.thermal_strain(e, drawn.common);
@@ -383,12 +385,9 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
     if (!fit) {
         return std::nullopt;
     }
-    Iterate& drawn = *fit;
-    const Iterate by_fit = drawn;
-    const Eigen::VectorXd of_fit =
-        refit ? workspace.statics->tensions(drawn) : m_statics.tensions(drawn);
+    Iterate drawn = fit->iterate;
     const Eigen::VectorXd own_stiffness =
-        separate_lengths(drawn, of_fit, of_mean.mean, blur, refit, random);
+        separate_lengths(drawn, fit->tensions, of_mean.mean, blur, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -401,7 +400,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         result.tensions = tensions(net, l_0, found.form);
         return found.balanced();
     };
-    if (m_knowledge.uncertain.empty() && m_statics.common().count() == 0) {
+    if (m_knowledge.uncertain.empty() && m_model.common.count() == 0) {
         if (!balance(workspace.solver, m_net, lengths)) {
             return std::nullopt;
         }
@@ -413,12 +412,13 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
             if (!balance(solver, net, net.unstressed_lengths())) {
                 return std::nullopt;
             }
-            result.perturbation->supports -= m_statics.common().frame_motion(drawn.common);
+            result.perturbation->supports -= m_model.common.frame_motion(drawn.common);
         } catch (const NetError&) {
             return std::nullopt;  // a length that is no longer positive
         }
     }
-    result.squared_departure = squared_departure(by_fit, of_fit, result.form, result.tensions);
+    result.squared_departure =
+        squared_departure(fit->iterate, fit->tensions, result.form, result.tensions);
     result.deviations = std::move(drawn.deviations);
     return result;
 }
@@ -495,11 +495,11 @@ bool can_be_fitted(const CableNet& net) {
     return net.interior_edge_count() <= most_edges;
 }
 
-PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics& statics,
+PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedFit& fitted,
                                     const Observations& sites, const PriorKnowledge& knowledge,
-                                    const Iterate& fitted, int draws, std::uint64_t seed,
-                                    bool by_fits, const Progress& progress) {
-    return Perturbation(net, statics, sites, knowledge, fitted, seed).run(draws, by_fits, progress);
+                                    int draws, std::uint64_t seed, bool by_fits,
+                                    const Progress& progress) {
+    return Perturbation(net, fitted, sites, knowledge, seed).run(draws, by_fits, progress);
 }
 
 }  // namespace taut

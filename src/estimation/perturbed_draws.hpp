@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "taut/net/cable_net.hpp"
@@ -45,14 +45,13 @@ struct PerturbedDraws {
 /// Lengths of slack edges follow the prior beyond the form. Those of taut ones may lie a little
 /// outside its bounds, like the normal distributions with its mean and variance: truncated there,
 /// tensions would be too certain. The result does not depend on the number of threads.
-/// @param statics linearised at the fit
 /// @param sites with the prior that the fit was made with
-/// @param fitted form and lengths of the fit
 /// @throws Interrupted
-[[nodiscard]] PerturbedDraws draw_by_perturbation(
-    const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
-    const PriorKnowledge& knowledge, const Iterate& fitted, int draws, std::uint64_t seed,
-    bool by_fits, const Progress& progress = {});
+[[nodiscard]] PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedFit& fitted,
+                                                  const Observations& sites,
+                                                  const PriorKnowledge& knowledge, int draws,
+                                                  std::uint64_t seed, bool by_fits,
+                                                  const Progress& progress = {});
 
 /// Whether draws are fitted by themselves in seconds: some ten factorisations each.
 [[nodiscard]] bool can_be_fitted(const CableNet& net);

@@ -7,7 +7,6 @@
 
 #include "estimation/common_parameters.hpp"
 #include "estimation/observations.hpp"
-#include "estimation/saddle_point_layout.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_prior.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
@@ -28,9 +27,6 @@ struct PriorKnowledge {
     PriorKnowledge(const CableNet& net, const LengthPrior& prior)
         : priors(net.interior_edge_count(), prior) {}
 
-    [[nodiscard]] Lengths coupling() const {
-        return evidence ? Lengths::coupled : Lengths::independent;
-    }
     /// Root mean square of the priors' standard deviations [m].
     [[nodiscard]] double length_std() const;
     /// Corrects which edges (m) are assumed slack: by the marks, and by force measurements more

@@ -13,11 +13,11 @@
 
 #include "estimation/boundary_tests.hpp"
 #include "estimation/feasible_descent.hpp"
+#include "estimation/gauss_newton.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/length_tests.hpp"
 #include "estimation/slack_set.hpp"
 #include "estimation/target_tests.hpp"
-#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -136,14 +136,14 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_settings(checked(net, survey, knowledge, settings)),
       m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
-      m_statics(net, knowledge.uncertain, knowledge.frame_is_unknown, {}, knowledge.coupling()),
+      m_model(net, knowledge.uncertain, knowledge.frame_is_unknown),
       m_hypotheses(net, all_hypotheses(net, m_survey, knowledge, settings)) {
-    m_statics.set_blur(blur_by(net, m_length_std, knowledge.uncertain));
+    m_model.blur = blur_by(net, m_length_std, knowledge.uncertain);
     assume(m_hypotheses);
 }
 
 Iterate SurveyFit::nominal() const {
-    return nominal_iterate(m_net, m_statics.common().count());
+    return nominal_iterate(m_net, m_model.common.count());
 }
 
 std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
@@ -153,17 +153,17 @@ std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
 /// Edges (m) that a form shows to be slack, corrected by what was seen.
 std::vector<bool> SurveyFit::shown_slack(const Iterate& iterate) const {
     const Eigen::VectorXd lengths =
-        m_statics.common().cold(edge_lengths(m_net, iterate.form), iterate.common);
+        m_model.common.cold(edge_lengths(m_net, iterate.form), iterate.common);
     return as_seen(slack_by_lengths(m_net, lengths, m_knowledge.priors));
 }
 
 /// Edges (m) that were measured to be slack, corrected by what was seen.
 std::vector<bool> SurveyFit::measured_slack(double inflation) const {
     return as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.priors,
-                                   m_statics.common().thermal_stds()));
+                                   m_model.common.thermal_stds()));
 }
 
-GaussNewtonResult SurveyFit::run() {
+LinearisedFit SurveyFit::run() {
     Mode last;
     Explanation best = explain(m_hypotheses, nominal(), last);  // (map), (snooping)
     if (!best.is_sound()) {
@@ -181,13 +181,11 @@ GaussNewtonResult SurveyFit::run() {
         }
     }
     if (!best.fitted.converged) {
-        m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
-        if (!m_statics.linearise(best.fitted.iterate, observations())) {
-            throw NumericalError(
-                "the statics of the net are singular at the surveyed form. Check the net and the "
-                "prior");
-        }
-        m_statics.invert();
+        m_model.slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
+        LinearisedFit there = linearised_fit(m_model, best.fitted.iterate, observations(),
+                                             std::move(m_linearisation));
+        m_linearisation = std::move(there.linearisation);
+        m_covariance = std::move(there.covariance);
     }
     test(best, last);
     m_cost = best.cost;
@@ -199,7 +197,8 @@ GaussNewtonResult SurveyFit::run() {
     }
     m_hypotheses = std::move(best.hypotheses);
     assume(m_hypotheses);
-    return std::move(best.fitted);
+    m_converged = best.fitted.converged;
+    return {std::move(best.fitted.iterate), *std::move(m_linearisation), std::move(m_covariance)};
 }
 
 /// Fits, and repeats the fit until data snooping changes nothing more.
@@ -214,7 +213,7 @@ SurveyFit::Explanation SurveyFit::explain(Hypotheses hypotheses, const Iterate& 
     // A descent that was cut short shows the largest gross errors, too.
     const auto can_be_tested = [&] {
         return found.hypotheses.is_active(Family::targets) &&
-               (found.fitted.converged || (mode.is_rounded && found.fitted.has_factor));
+               (found.fitted.converged || (mode.is_rounded && m_linearisation));
     };
     for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
         test(found, mode);  // (snooping), (length-snooping), (slip), (boundary)
@@ -244,10 +243,10 @@ SurveyFit::Explanation SurveyFit::fit(Hypotheses hypotheses, const Iterate& star
         .fitted = mode.is_rounded
                       ? fit_rounded(with_released(start), mode.inflation)
                       : fit_with_slack_set(with_released(start), std::move(slack), mode.inflation),
-        .slack = m_statics.slack(),
+        .slack = m_model.slack,
         .cost = std::numeric_limits<double>::infinity()};
     if (result.is_sound() && !result.hypotheses.has_too_many(Family::boundary)) {
-        result.cost = 2.0 * m_statics.objective(observations(), result.fitted.iterate) +
+        result.cost = 2.0 * m_model.objective(observations(), result.fitted.iterate) +
                       result.hypotheses.cost();
     }
     return result;
@@ -262,7 +261,8 @@ void SurveyFit::assume(const Hypotheses& hypotheses) {
     if (BoundaryReleases released = boundary_releases(hypotheses);
         m_knowledge.released != released) {
         m_knowledge.released = std::move(released);
-        m_statics.set_released(m_knowledge.released);
+        m_model.common = CommonParameters(m_net, m_knowledge.uncertain,
+                                          m_knowledge.frame_is_unknown, m_knowledge.released);
     }
 }
 
@@ -275,24 +275,24 @@ void SurveyFit::test(Explanation& found, const Mode& mode) const {
     hypotheses.begin_tests();
     test_targets(
         hypotheses, m_survey, m_noise, at.form,
-        [this](int node) { return m_statics.form_covariance(node); }, mode.inflation);
+        [this](int node) { return m_covariance.places[node]; }, mode.inflation);
     if (!forces.empty()) {
         test_forces(
-            hypotheses, forces, m_statics.tensions(at), m_statics.tension_variances(),
+            hypotheses, forces, m_model.tensions(at), m_covariance.tensions,
             [this](const Eigen::VectorXd& weights) {
-                return m_statics.covariances_with(weights).dot(weights);
+                return m_linearisation->covariances_with(weights).dot(weights);
             },
             mode.inflation);
     }
     if (mode.boundary != BoundaryTest::none && hypotheses.is_active(Family::boundary)) {
         test_boundary(hypotheses, m_net,
                       std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) > 0.0,
-                      m_statics, at, observed);
+                      *m_linearisation, m_covariance, at, observed);
     }
     if (!mode.is_rounded && hypotheses.is_active(Family::lengths)) {
         test_lengths(hypotheses, m_net, m_priors,
-                     length_likelihoods(m_net, m_knowledge, m_statics, observed, at), m_statics,
-                     observed, at);
+                     length_likelihoods(m_net, m_knowledge, m_model, m_covariance, observed, at),
+                     *m_linearisation, observed, at);
     }
 }
 
@@ -402,23 +402,32 @@ SurveyFit::Explanation SurveyFit::with_clamps(Explanation found) {
                : fit(std::move(found.hypotheses), found.fitted.iterate, std::move(found.slack), {});
 }
 
+/// Gauss-Newton steps under the model as it is.
+SurveyFit::Fitted SurveyFit::search(const Iterate& start, const Observations& observed,
+                                    double inflation) {
+    GaussNewtonResult found =
+        gauss_newton(m_model, observed, start, inflation * m_tolerance, m_settings.max_iterations,
+                     m_settings.progress, std::move(m_linearisation));
+    m_linearisation = std::move(found.linearisation);
+    return {.iterate = std::move(found.iterate), .converged = found.converged};
+}
+
 /// Fits with those edges slack that the fitted form shows to be slack. Whether an edge is taut is a
 /// discrete question: a cable stretched by a hundredth of a millimetre when taut can sag by several
 /// when slack, and no small steps lead from one fit to the other. So the slack set to begin with is
 /// an argument. An edge that comes out longer than a slack edge can be stays taut, even with some
 /// pressure, so that the sets do not cycle.
-GaussNewtonResult SurveyFit::fit_with_slack_set(const Iterate& start, std::vector<bool> slack,
+SurveyFit::Fitted SurveyFit::fit_with_slack_set(const Iterate& start, std::vector<bool> slack,
                                                 double inflation) {
-    m_statics.round_corners(0.0);
+    m_model.corner_width = 0.0;
     const Observations observed = observations(inflation);
-    GaussNewtonResult fitted;
+    Fitted fitted;
     Iterate from = start;
     std::vector<bool> taut_for_good(slack.size(), false);
     bool has_failed = false;
     for (int round = 0; round < most_slack_sets; ++round) {
-        m_statics.set_slack(slack);
-        fitted = gauss_newton(m_statics, observed, std::move(from), inflation * m_tolerance,
-                              m_settings.max_iterations, m_settings.progress);
+        m_model.slack = slack;
+        fitted = search(from, observed, inflation);
         follow_tension_laws(fitted, observed, inflation);
         const std::vector<bool> shown = shown_slack(fitted.iterate);
         for (size_t e = 0; e < slack.size(); ++e) {
@@ -426,9 +435,9 @@ GaussNewtonResult SurveyFit::fit_with_slack_set(const Iterate& start, std::vecto
             // A search that did not converge can only take edges out of the set.
             slack[e] = shown[e] && !taut_for_good[e] && (fitted.converged || slack[e]);
         }
-        if (slack == m_statics.slack() || (has_failed && !fitted.converged)) {
+        if (slack == m_model.slack || (has_failed && !fitted.converged)) {
             if (fitted.converged) {
-                m_statics.invert();  // (covariance)
+                m_covariance = m_linearisation->covariance();  // (covariance)
             }
             return fitted;
         }
@@ -441,22 +450,20 @@ GaussNewtonResult SurveyFit::fit_with_slack_set(const Iterate& start, std::vecto
 
 /// (blurred-law): fits again with the tension laws blurred by the strains' standard deviations at
 /// the fit. Where that does not converge, the fit with the wider blur stands.
-void SurveyFit::follow_tension_laws(GaussNewtonResult& fitted, const Observations& observed,
+void SurveyFit::follow_tension_laws(Fitted& fitted, const Observations& observed,
                                     double inflation) {
     const auto refit = [&](const LawBlur& blur) {
-        m_statics.set_blur(blur);
-        return gauss_newton(m_statics, observed, fitted.iterate, inflation * m_tolerance,
-                            m_settings.max_iterations, m_settings.progress);
+        m_model.blur = blur;
+        return search(fitted.iterate, observed, inflation);
     };
-    for (int round = 0; !m_statics.blur().empty() && round < most_blurs && fitted.converged;
-         ++round) {
-        m_statics.invert();
-        const LawBlur before = m_statics.blur();
-        const LawBlur found = m_statics.blur_found(fitted.iterate);
+    for (int round = 0; !m_model.blur.empty() && round < most_blurs && fitted.converged; ++round) {
+        const LawBlur before = m_model.blur;
+        const LawBlur found =
+            blur_found(m_model, m_linearisation->covariance(), fitted.iterate, observed);
         if (found.agrees_with(before)) {
             return;
         }
-        GaussNewtonResult sharper = refit(found);
+        Fitted sharper = refit(found);
         if (!sharper.converged) {
             fitted = refit(before);
             return;
@@ -467,29 +474,33 @@ void SurveyFit::follow_tension_laws(GaussNewtonResult& fitted, const Observation
 
 /// (rounded-law): from the widest corner to one far below the noise. Later fits begin at the corner
 /// reached before.
-GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation) {
+SurveyFit::Fitted SurveyFit::fit_rounded(const Iterate& start, double inflation) {
     const Observations observed = observations(inflation);
     const double last =
         std::min(widest_corner(),
                  corner_in_noise * inflation * m_noise(Eigen::all, m_survey.surveyed).minCoeff());
-    m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
-    GaussNewtonResult fitted{.iterate = start};
+    m_model.slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
+    Fitted fitted{.iterate = start};
     m_corner_width = std::max(m_corner_width, last);
     while (true) {
         const bool is_last = m_corner_width == last;
-        m_statics.round_corners(m_corner_width);
-        fitted = feasible_descent(m_statics, observed, std::move(fitted.iterate),
-                                  is_last ? small_decrement : decrement_on_the_way, most_descents,
-                                  m_settings.progress);
-        if (is_last || !fitted.has_factor) {
+        m_model.corner_width = m_corner_width;
+        GaussNewtonResult found =
+            feasible_descent(m_model, observed, std::move(fitted.iterate),
+                             is_last ? small_decrement : decrement_on_the_way, most_descents,
+                             m_settings.progress, std::move(m_linearisation));
+        m_linearisation = std::move(found.linearisation);
+        fitted = {.iterate = std::move(found.iterate), .converged = found.converged};
+        if (is_last || !m_linearisation) {
             break;
         }
         m_corner_width = std::max(last, corner_factor * m_corner_width);
     }
-    if (fitted.has_factor) {
-        m_statics.invert();
+    m_model.slack = shown_slack(fitted.iterate);
+    if (m_linearisation) {
+        m_covariance = m_linearisation->covariance();
+        m_linearisation = (*std::move(m_linearisation)).under(m_model);
     }
-    m_statics.set_slack(shown_slack(fitted.iterate));
     return fitted;
 }
 
@@ -568,7 +579,7 @@ SurveyFit::Explanation SurveyFit::by_rounded_tension_laws(Hypotheses hypotheses)
 
 /// An iterate with the common parameters now released, at 0, and the supports moved accordingly.
 Iterate SurveyFit::with_released(Iterate iterate) const {
-    const CommonParameters& common = m_statics.common();
+    const CommonParameters& common = m_model.common;
     Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
     values.head(common.kept_count()) = iterate.common.head(common.kept_count());
     iterate.common = std::move(values);
@@ -588,7 +599,7 @@ double SurveyFit::first_inflation() const {
 
 Observations SurveyFit::observations(double inflation) const {
     Observations result =
-        observe(m_net, m_survey, m_noise, m_rejected, m_knowledge, m_statics.common().count());
+        observe(m_net, m_survey, m_noise, m_rejected, m_knowledge, m_model.common.count());
     const std::vector<ForceMeasurement>& forces = m_knowledge.forces.measurements;
     for (size_t k = 0; k < forces.size(); ++k) {
         if (m_rejected_forces[k]) {

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/gauss_newton.hpp"
 #include "estimation/hypotheses.hpp"
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "taut/estimation/outlier.hpp"
+#include "taut/progress.hpp"
 
 namespace taut {
 
@@ -40,10 +40,12 @@ public:
     SurveyFit& operator=(const SurveyFit&) = delete;
 
     /// Once. After it, the parts below are those of the result.
-    /// @return the result; not converged where lengths and form still moved
     /// @throws std::runtime_error where the statics are singular at what the search ended with
     /// @throws Interrupted where a stop was requested
-    [[nodiscard]] GaussNewtonResult run();
+    [[nodiscard]] LinearisedFit run();
+
+    /// Whether lengths and form no longer moved.
+    [[nodiscard]] bool converged() const { return m_converged; }
 
     /// Twice the objective of (map) at the result, plus the threshold of each rejected or released
     /// item; infinite where nothing converged. Compares fits of one survey.
@@ -61,10 +63,6 @@ public:
     /// The knowledge given, with the priors of released edges widened and the released part of the
     /// boundary.
     [[nodiscard]] const PriorKnowledge& knowledge() const { return m_knowledge; }
-    /// Linearised and inverted at the result.
-    [[nodiscard]] const LinearisedStatics& statics() const { return m_statics; }
-    /// To continue from there with other observations.
-    [[nodiscard]] LinearisedStatics& statics() { return m_statics; }
     /// A step this small changes nothing that the survey could show [m].
     [[nodiscard]] double tolerance() const { return m_tolerance; }
     /// The targets and force measurements in use and the prior.
@@ -78,10 +76,15 @@ private:
         bool is_rounded = false;  ///< (rounded-law) replaces the slack set; only targets are tested
         BoundaryTest boundary = BoundaryTest::none;
     };
+    /// What a search ended with.
+    struct Fitted {
+        Iterate iterate;
+        bool converged = false;
+    };
     /// A fit, with what it leaves out and releases.
     struct Explanation {
         Hypotheses hypotheses;
-        GaussNewtonResult fitted;
+        Fitted fitted;
         std::vector<bool> slack;  ///< m
         double cost = 0.0;        ///< cost(); infinite where it is none
 
@@ -95,11 +98,12 @@ private:
     [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack) const;
     [[nodiscard]] std::vector<bool> shown_slack(const Iterate& iterate) const;
     [[nodiscard]] std::vector<bool> measured_slack(double inflation) const;
-    void follow_tension_laws(GaussNewtonResult& fitted, const Observations& observed,
-                             double inflation);
-    [[nodiscard]] GaussNewtonResult fit_with_slack_set(const Iterate& start,
-                                                       std::vector<bool> slack, double inflation);
-    [[nodiscard]] GaussNewtonResult fit_rounded(const Iterate& start, double inflation);
+    [[nodiscard]] Fitted search(const Iterate& start, const Observations& observed,
+                                double inflation);
+    void follow_tension_laws(Fitted& fitted, const Observations& observed, double inflation);
+    [[nodiscard]] Fitted fit_with_slack_set(const Iterate& start, std::vector<bool> slack,
+                                            double inflation);
+    [[nodiscard]] Fitted fit_rounded(const Iterate& start, double inflation);
     [[nodiscard]] Explanation fit(Hypotheses hypotheses, const Iterate& start,
                                   std::vector<bool> slack, const Mode& mode);
     void test(Explanation& found, const Mode& mode) const;
@@ -126,9 +130,13 @@ private:
     SurveyFitSettings m_settings;
     Points m_noise;
     double m_tolerance;
-    LinearisedStatics m_statics;
+    StaticsModel m_model;
+    // Of the last fit: where it has a factor, and where it converged or was rounded.
+    std::optional<Linearisation> m_linearisation;
+    Covariance m_covariance;
     Hypotheses m_hypotheses;
     double m_cost = 0.0;
+    bool m_converged = false;
     bool m_contradicts_too_many = false;
     double m_corner_width = 0.0;  ///< that the rounded fits have reached [m]
 };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace taut {
 namespace {
@@ -32,33 +34,33 @@ struct Group {
     }
 };
 
-Group noise_group(const CableNet& net, const LinearisedStatics& statics,
-                  const Observations& observations, const Iterate& fitted) {
+Group noise_group(const CableNet& net, const LinearisedFit& fitted,
+                  const Observations& observations) {
     Group group;
     for (const int node : net.free_nodes()) {
         if (observations.weights.col(node).maxCoeff() <= 0.0) {
             continue;
         }
-        const Eigen::Vector3d residual = observations.form.col(node) - fitted.form.col(node);
+        const Eigen::Vector3d residual =
+            observations.form.col(node) - fitted.iterate.form.col(node);
         const Eigen::Matrix3d S = observations.weight(node);
         group.squares += residual.dot(S * residual);
-        group.redundancy += 3.0 - S.cwiseProduct(statics.form_covariance(node)).sum();
+        group.redundancy += 3.0 - S.cwiseProduct(fitted.covariance.places[node]).sum();
     }
     return group;
 }
 
 /// Of the taut edges: a slack one does not show its length.
-Group length_group(const CableNet& net, const LinearisedStatics& statics,
-                   const Observations& observations, const Iterate& fitted,
-                   const std::vector<bool>& left_out) {
+Group length_group(const CableNet& net, const LinearisedFit& fitted,
+                   const Observations& observations, const std::vector<bool>& left_out) {
     Group group;
-    const Eigen::VectorXd variances = statics.length_variances();
+    const Eigen::VectorXd& variances = fitted.covariance.lengths;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const double prior = observations.variance(i);
-        if (left_out[i] || statics.slack()[net.interior_edges()[i]] || !(variances(i) > 0.0)) {
+        if (left_out[i] || fitted.model().slack[net.interior_edges()[i]] || !(variances(i) > 0.0)) {
             continue;
         }
-        const double deviation = fitted.deviations(i) - observations.mean(i);
+        const double deviation = fitted.iterate.deviations(i) - observations.mean(i);
         group.squares += deviation * deviation / prior;
         group.redundancy += std::max(0.0, 1.0 - variances(i) / prior);
     }
@@ -67,13 +69,14 @@ Group length_group(const CableNet& net, const LinearisedStatics& statics,
 
 }  // namespace
 
-VarianceComponents estimate_components(const CableNet& net, LinearisedStatics& statics,
-                                       Observations& observations, Iterate& fitted,
+VarianceComponents estimate_components(const CableNet& net, LinearisedFit& fitted,
+                                       Observations& observations,
                                        const std::vector<bool>& left_out) {
     VarianceComponents result;
+    const StaticsModel model = fitted.model();
     for (int round = 0; round < most_scalings; ++round) {
-        const Group noise = noise_group(net, statics, observations, fitted);
-        const Group lengths = length_group(net, statics, observations, fitted, left_out);
+        const Group noise = noise_group(net, fitted, observations);
+        const Group lengths = length_group(net, fitted, observations, left_out);
         if (round == 0) {
             result.noise.std = noise.ratio_std();
             result.lengths.std = lengths.ratio_std();
@@ -86,21 +89,20 @@ VarianceComponents estimate_components(const CableNet& net, LinearisedStatics& s
             converged_scale) {
             break;
         }
+        const Observations before = observations;
         for (int node = 0; node < net.node_count(); ++node) {
             observations.scale_weight(node, 1.0 / (noise_scaling * noise_scaling));
         }
         for (int i = 0; i < net.interior_edge_count(); ++i) {
             observations.variance(i) *= left_out[i] ? 1.0 : length_scaling * length_scaling;
         }
-        if (!statics.linearise(fitted, observations)) {
+        const Iterate at = fitted.iterate;
+        std::optional<LinearisedFit> next = std::move(fitted).stepped(observations);
+        if (!next) {
+            fitted = linearised_fit(model, at, before);
             break;
         }
-        const Iterate step = statics.step(fitted, observations);
-        if (!std::isfinite(statics.size_of(step))) {
-            break;
-        }
-        fitted = fitted.moved(step);
-        statics.invert();
+        fitted = *std::move(next);
     }
     return result;
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/identification/cramer_rao_bound.hpp"
 
-#include "estimation/linearised_statics.hpp"
+#include <utility>
+
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
-#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -15,24 +16,20 @@ Eigen::VectorXd cramer_rao_variances(const CableNet& net,
                                      const LengthPrior& prior) {
     prior.check();
     check_survey(net, survey);
-    std::vector<bool> slack(net.edge_count(), false);
+    StaticsModel model(net);
     for (const int edge : slack_edges(net, unstressed_lengths, form)) {
-        slack[edge] = true;
+        model.slack[edge] = true;
     }
     const std::vector<bool> none_rejected(net.node_count(), false);
-    LinearisedStatics statics(net);
-    statics.set_slack(slack);
     Iterate truth = nominal_iterate(net);
     truth.form = form;
     truth.deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges());
-    if (!statics.linearise(truth, observe(net, survey, with_noise_floor(net, survey), none_rejected,
-                                          prior.std()))) {
-        throw NumericalError("the statics of the net are singular at this form");
-    }
-    statics.invert();
+    const LinearisedFit fit = linearised_fit(
+        model, std::move(truth),
+        observe(net, survey, with_noise_floor(net, survey), none_rejected, prior.std()));
     // At loose nodes they can be lost in rounding errors: then the prior is all that is known.
     const double of_prior = prior.std() * prior.std();
-    return statics.length_variances().unaryExpr(
+    return fit.covariance.lengths.unaryExpr(
         [of_prior](double variance) { return variance > 0.0 ? variance : of_prior; });
 }
 

@@ -164,14 +164,13 @@ void summarise(Identification& result, const CableNet& net, const Survey& survey
 
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
                     const Survey& survey, const PriorKnowledge& knowledge,
-                    const LinearisedStatics& statics, const Observations& sites,
-                    const Iterate& fitted, const PosteriorSettings& settings,
-                    const Progress& progress) {
+                    const LinearisedFit& fitted, const Observations& sites,
+                    const PosteriorSettings& settings, const Progress& progress) {
     if (settings.count == 0 || result.status != IdentificationStatus::converged) {
         return;
     }
     const auto draw = [&](bool by_fits) {
-        return draw_by_perturbation(fit_net, statics, sites, knowledge, fitted, settings.count,
+        return draw_by_perturbation(fit_net, fitted, sites, knowledge, settings.count,
                                     settings.seed, by_fits, progress);
     };
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
@@ -201,7 +200,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     const bool is_reliable = draws.reason.empty() && draws.count() > 0;
     result.draws = std::move(draws);
     if (!is_reliable) {
-        set_open_edges(result, priors, statics.slack());
+        set_open_edges(result, priors, fitted.model().slack);
         return;  // no interval rather than a wrong one
     }
     Eigen::VectorXd prior_stds(std::ssize(priors));

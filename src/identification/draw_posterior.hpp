@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "taut/identification/result.hpp"
@@ -27,14 +27,12 @@ struct PosteriorSettings {
 /// docs/theory.md, (perturbed), (drawn).
 /// @param result of the fit
 /// @param fit_net of the fit, net_to_fit()
-/// @param statics linearised at the fit
 /// @param sites observations of the fit, with the prior as normal distributions
 /// @throws Interrupted
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
                     const Survey& survey, const PriorKnowledge& knowledge,
-                    const LinearisedStatics& statics, const Observations& sites,
-                    const Iterate& fitted, const PosteriorSettings& settings,
-                    const Progress& progress);
+                    const LinearisedFit& fitted, const Observations& sites,
+                    const PosteriorSettings& settings, const Progress& progress);
 
 /// Sets what follows from draws that a result has already: nothing where they are unreliable.
 /// @param prior_std standard deviation of the prior of all lengths [m]

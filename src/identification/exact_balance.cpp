@@ -9,11 +9,10 @@
 
 #include "estimation/balance_equations.hpp"
 #include "estimation/length_likelihoods.hpp"
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/slack_set.hpp"
 #include "identification/completion.hpp"
-#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -67,11 +66,11 @@ public:
           m_none_rejected(net.node_count(), false),
           m_balanced(nominal_iterate(net)),
           m_knowledge(net, prior),
-          m_statics(net) {
+          m_model(net) {
         m_balanced.form = survey.form;
-        m_statics.set_slack(
-            slack_by_lengths(net, edge_lengths(net, m_balanced.form), m_knowledge.priors));
-        const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
+        m_model.slack =
+            slack_by_lengths(net, edge_lengths(net, m_balanced.form), m_knowledge.priors);
+        const BalanceEquations balance(net, m_balanced.form, m_model.slack);
         const BalancedDeviations balanced = balanced_deviations(net, m_balanced.form, balance);
         m_balanced.deviations = balanced.deviations;
         m_spread = balanced.spread;
@@ -86,14 +85,14 @@ public:
     [[nodiscard]] int impossible_edge() const { return m_impossible_edge; }
     [[nodiscard]] const Points& form() const { return m_balanced.form; }
 
-    [[nodiscard]] std::vector<LengthLikelihood> likelihoods(const LengthPrior& prior) {
+    [[nodiscard]] std::vector<LengthLikelihood> likelihoods(const LengthPrior& prior) const {
         const double unit = m_noise.maxCoeff();
         auto result = likelihoods_within(narrow_bound * unit);
         const auto replace = [&](double bound, const auto& applies) {
             std::vector<size_t> edges;
             for (size_t i = 0; i < result.size(); ++i) {
                 const auto edge = static_cast<size_t>(m_net.interior_edges()[i]);
-                if (!m_statics.slack()[edge] && applies(i)) {
+                if (!m_model.slack[edge] && applies(i)) {
                     edges.push_back(i);
                 }
             }
@@ -128,16 +127,12 @@ private:
     }
 
     /// With a normal prior of this standard deviation around the balance, which is taken out again.
-    [[nodiscard]] std::vector<LengthLikelihood> likelihoods_within(double length_std) {
+    [[nodiscard]] std::vector<LengthLikelihood> likelihoods_within(double length_std) const {
         Observations observations = observe(m_net, m_survey, m_noise, m_none_rejected, length_std);
         observations.mean = m_balanced.deviations;
-        if (!m_statics.linearise(m_balanced, observations)) {
-            throw NumericalError(
-                "the statics of the net are singular at the surveyed form. Check the net and the "
-                "prior");
-        }
-        m_statics.invert();
-        return length_likelihoods(m_net, m_knowledge, m_statics, observations, m_balanced);
+        const LinearisedFit fit = linearised_fit(m_model, m_balanced, observations);
+        return length_likelihoods(m_net, m_knowledge, m_model, fit.covariance, observations,
+                                  m_balanced);
     }
 
     const CableNet& m_net;
@@ -146,7 +141,7 @@ private:
     std::vector<bool> m_none_rejected;
     Iterate m_balanced;
     PriorKnowledge m_knowledge;
-    LinearisedStatics m_statics;
+    StaticsModel m_model;
     Eigen::VectorXd m_spread;          ///< m_I, as BalancedDeviations
     std::vector<bool> m_undetermined;  ///< m_I
     int m_impossible_edge = -1;
@@ -185,7 +180,7 @@ void check_exact_form(Identification& result, const CableNet& net, const LengthP
 
 Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                          const LengthPrior& prior) {
-    ExactForm exact(net, survey, prior);
+    const ExactForm exact(net, survey, prior);
     Identification result{.method = "balance", .length_prior = prior};
     if (has_impossible_edge(result, net, exact.impossible_edge())) {
         return result;

@@ -33,8 +33,8 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
         for (const double width : prior_widths) {
             SurveyFit fit(net, survey, knowledge,
                           {.max_iterations = max_iterations, .prior_width = width});
-            const GaussNewtonResult fitted = fit.run();
-            if (fitted.converged || width == prior_widths.back()) {
+            const LinearisedFit fitted = fit.run();
+            if (fit.converged() || width == prior_widths.back()) {
                 result = identification_of(net, net, survey, prior, fit.knowledge(), fit, fitted,
                                            fit.observations());
                 predict_form(result, net, survey, fitted.iterate.form);

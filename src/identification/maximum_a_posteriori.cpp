@@ -51,17 +51,17 @@ std::string why_not_converged(const CableNet& net, const Survey& survey, const L
     return text;
 }
 
-/// A fit and how it ended.
+/// A fit and what it ended with.
 struct SurveySearch {
     std::unique_ptr<SurveyFit> fit;
-    GaussNewtonResult fitted;
+    LinearisedFit fitted;
 };
 
 SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
                         const SurveyFitSettings& settings) {
-    SurveySearch result{.fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings)};
-    result.fitted = result.fit->run();  // (map), (slack-form), (snooping)
-    return result;
+    auto fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings);
+    LinearisedFit fitted = fit->run();  // (map), (slack-form), (snooping)
+    return {std::move(fit), std::move(fitted)};
 }
 
 /// Whether the survey does not contradict the marks of slack and taut edges: whether the fit with
@@ -71,9 +71,8 @@ bool is_believable(const SurveySearch& with, const SurveySearch& without, const 
     constexpr double a_slack_edge = 9.0;  // may be this far from the mean of its prior
     // An edge kept taut may carry pressure in the fit, which costs nothing.
     constexpr double surely = 4.0;  // standard deviations
-    const LinearisedStatics& statics = with.fit->statics();
-    const Eigen::VectorXd tensions = statics.tensions(with.fitted.iterate);
-    const Eigen::VectorXd variances = statics.tension_variances();
+    const Eigen::VectorXd tensions = with.fitted.model().tensions(with.fitted.iterate);
+    const Eigen::VectorXd& variances = with.fitted.covariance.tensions;
     const bool has_pressure = std::ranges::any_of(seen.taut, [&](int edge) {
         return tensions(edge) < -surely * std::sqrt(std::max(0.0, variances(edge)));
     });
@@ -83,14 +82,13 @@ bool is_believable(const SurveySearch& with, const SurveySearch& without, const 
 }
 
 /// Reports the marked edges that the fit without marks contradicts; where there are none, all.
-void set_contradicted_marks(Identification& result, const SurveySearch& without,
+void set_contradicted_marks(Identification& result, const LinearisedFit& without,
                             const Forces& seen) {
     constexpr double surely = 3.0;  // standard deviations
-    const Eigen::VectorXd tensions = without.fit->statics().tensions(without.fitted.iterate);
-    const Eigen::VectorXd stds =
-        without.fit->statics().tension_variances().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd tensions = without.model().tensions(without.iterate);
+    const Eigen::VectorXd stds = without.covariance.tensions.cwiseMax(0.0).cwiseSqrt();
     std::ranges::copy_if(seen.taut, std::back_inserter(result.contradicted_taut), [&](int edge) {
-        return without.fit->statics().slack()[edge] || tensions(edge) < -surely * stds(edge);
+        return without.model().slack[edge] || tensions(edge) < -surely * stds(edge);
     });
     std::ranges::copy_if(seen.slack, std::back_inserter(result.contradicted_slack),
                          [&](int edge) { return tensions(edge) > surely * stds(edge); });
@@ -101,12 +99,12 @@ void set_contradicted_marks(Identification& result, const SurveySearch& without,
 }
 
 /// (frame)
-FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fitted) {
-    const CommonParameters& common = statics.common();
+FrameOffset frame_offset_of(const LinearisedFit& fitted) {
+    const CommonParameters& common = fitted.model().common;
     const int first = common.first_of_frame();
-    const Eigen::Matrix<double, 6, 1> values = fitted.common.segment<6>(first);
+    const Eigen::Matrix<double, 6, 1> values = fitted.iterate.common.segment<6>(first);
     const Eigen::Matrix<double, 6, 1> stds =
-        statics.common_covariance().diagonal().segment<6>(first).cwiseMax(0.0).cwiseSqrt();
+        fitted.covariance.common.diagonal().segment<6>(first).cwiseMax(0.0).cwiseSqrt();
     return {.about = common.frame_middle(),
             .translation = common.translation_unit() * values.head<3>(),
             .translation_std = common.translation_unit() * stds.head<3>(),
@@ -125,8 +123,8 @@ struct Diagnostics {
 };
 
 /// (common-mean): score and information of a shift of the prior.
-void set_mean(PriorCheck& check, const LinearisedStatics& statics, const Observations& observations,
-              const Iterate& fitted, const std::vector<bool>& left_out) {
+void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations& observations,
+              const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();
     for (size_t i = 0; i < left_out.size(); ++i) {
         if (left_out[i]) {
@@ -134,48 +132,47 @@ void set_mean(PriorCheck& check, const LinearisedStatics& statics, const Observa
         }
     }
     const double information =
-        weights.sum() - weights.dot(statics.response_to_lengths(weights).lengths.col(0));
+        weights.sum() -
+        weights.dot(fitted.linearisation.response_to_lengths(weights).lengths.col(0));
     constexpr double rounding = 1e-6;
     if (information > rounding * weights.sum()) {
-        check.mean = weights.dot(fitted.deviations - observations.mean) / information;
+        check.mean = weights.dot(fitted.iterate.deviations - observations.mean) / information;
         check.mean_std = 1.0 / std::sqrt(information);
     }
 }
 
-/// (components), (prior-check). Leaves the fit as it was.
+/// (components), (prior-check)
 Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const Given& given,
-                           SurveyFit& fit, Iterate fitted) {
+                           const SurveyFit& fit, LinearisedFit fitted) {
     const LengthPrior& prior = given.prior;
     Diagnostics shown;
-    const Iterate at = fitted;
+    const Iterate at = fitted.iterate;
+    const std::vector<bool> slack = fitted.model().slack;
     const Observations observed = fit.observations();
     Observations scaled = observed;
-    shown.frame =
-        check_frame(fit_net, fit.statics(), at, observed, fit.hypotheses().residual_scale);
+    shown.frame = check_frame(fit_net, fitted, observed, fit.hypotheses().residual_scale);
     std::vector<bool> left_out = fit.hypotheses().released_lengths();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
         const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
-        if (is_adjustable && !left_out[i] && !fit.statics().slack()[edge]) {
+        if (is_adjustable && !left_out[i] && !slack[edge]) {
             shown.adjustable_stds(i) = fit.knowledge().priors[i].std();
         }
-        left_out[i] =
-            left_out[i] || fit.statics().slack()[edge] || fit.knowledge().priors[i] != prior;
+        left_out[i] = left_out[i] || slack[edge] || fit.knowledge().priors[i] != prior;
     }
-    shown.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
-    const PriorLikelihood likelihood(
-        prior, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted),
-        left_out);
+    shown.scales = estimate_components(fit_net, fitted, scaled, left_out);
+    const PriorLikelihood likelihood(prior,
+                                     length_likelihoods(fit_net, fit.knowledge(), fitted.model(),
+                                                        fitted.covariance, scaled, fitted.iterate),
+                                     left_out);
     shown.prior = check_prior_by_lengths(prior, likelihood);
     shown.prior.outliers = fit.hypotheses().given_up();
-    set_mean(shown.prior, fit.statics(), scaled, fitted, left_out);
+    set_mean(shown.prior, fitted, scaled, left_out);
     if (given.hyperprior) {
-        shown.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), observed, at,
+        fitted.iterate = at;
+        shown.estimate = estimate_prior(*given.hyperprior, fit_net, std::move(fitted), observed,
                                         left_out, prior, shown.scales.lengths, likelihood);
-    }
-    if (fit.statics().linearise(at, observed)) {
-        fit.statics().invert();
     }
     shown.left_out = std::move(left_out);
     return shown;
@@ -220,15 +217,14 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
 /// adjustable edge only where it is slack: its turns determine it better than a form that is fitted
 /// without them.
 std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet& fit_net,
-                                            const LinearisedStatics& statics,
-                                            const Iterate& fitted) {
-    const Eigen::VectorXd tensions = statics.tensions(fitted);
-    const Eigen::VectorXd variances = statics.tension_variances();
+                                            const LinearisedFit& fitted) {
+    const Eigen::VectorXd tensions = fitted.model().tensions(fitted.iterate);
+    const Eigen::VectorXd& variances = fitted.covariance.tensions;
     std::vector<Eigen::Index> result;
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
         const bool is_close = tensions(edge) < std::sqrt(std::max(0.0, variances(edge)));
-        if (statics.slack()[edge] ||
+        if (fitted.model().slack[edge] ||
             (is_close && !std::ranges::binary_search(net.adjustable_edges(), edge))) {
             result.push_back(i);
         }
@@ -284,9 +280,9 @@ void take_up_trend(Identification& result, const LengthTrend& trend, const Cable
 }
 
 LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fit_net,
-                               const LinearisedStatics& statics, const LengthTrend& trend,
+                               const Linearisation& linearisation, const LengthTrend& trend,
                                const Identification& result) {
-    Eigen::MatrixXd linearised = statics.length_covariance(edges);
+    Eigen::MatrixXd linearised = linearisation.length_covariance(edges);
     if (!trend.empty()) {
         const Eigen::MatrixXd common = gains_of(edges, fit_net, trend) * trend.root;
         linearised += common * common.transpose();
@@ -361,27 +357,30 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     if (!given.forces.taut.empty() || !given.forces.slack.empty()) {
         SurveySearch without = search_fit(fit_net, survey, unseen, fitting);
         if (!is_believable(found, without, given.forces)) {
-            set_contradicted_marks(verdict, without, given.forces);
+            set_contradicted_marks(verdict, without.fitted, given.forces);
             found = std::move(without);
         }
     }
-    SurveyFit& fit = *found.fit;
+    const SurveyFit& fit = *found.fit;
     const PriorKnowledge& knowledge = fit.knowledge();
-    GaussNewtonResult& fitted = found.fitted;
+    LinearisedFit& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Diagnostics shown =
-        fitted.converged ? diagnostics_of(net, fit_net, given, fit, fitted.iterate) : Diagnostics();
-    if (common_count) {
-        epoch.own = fitted.converged
-                        ? forgotten(own_evidence(fit.statics(), observations, fitted.iterate,
-                                                 *common_count),
-                                    edges_maybe_slack(net, fit_net, fit.statics(), fitted.iterate))
-                        : no_evidence(fit_net.interior_edge_count() + *common_count);
+    Diagnostics shown;
+    if (fit.converged()) {
+        const StaticsModel model = fitted.model();
+        const Iterate at = fitted.iterate;
+        shown = diagnostics_of(net, fit_net, given, fit, std::move(fitted));
+        fitted = linearised_fit(model, at, observations);
     }
-    if (fitted.converged) {
-        Propagated propagated = propagate_prior(fit_net, knowledge, fit.statics(), observations,
-                                                fitted.iterate, fit.tolerance());
-        fitted.iterate = std::move(propagated.iterate);
+    if (common_count) {
+        epoch.own = fit.converged() ? forgotten(own_evidence(fitted, observations, *common_count),
+                                                edges_maybe_slack(net, fit_net, fitted))
+                                    : no_evidence(fit_net.interior_edge_count() + *common_count);
+    }
+    if (fit.converged()) {
+        Propagated propagated =
+            propagate_prior(fit_net, knowledge, std::move(fitted), observations, fit.tolerance());
+        fitted = std::move(propagated.fit);
         observations = std::move(propagated.observations);
     }
     result =
@@ -390,12 +389,12 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     result.force_outliers = fit.force_outliers();
     result.force_bias = force_bias(fit.hypotheses());
     result.prior = shown.estimate.value_or(exact_prior(given.prior));
-    const LengthTrend trend = given.has_trend && fitted.converged
-                                  ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
-                                             shown.left_out, shown.adjustable_stds, given.prior)
+    const LengthTrend trend = given.has_trend && fit.converged()
+                                  ? trend_of(fit_net, fitted, observations, shown.left_out,
+                                             shown.adjustable_stds, given.prior)
                                   : LengthTrend();
     result.prior.common = trend.found;
-    if (fitted.converged) {
+    if (fit.converged()) {
         result.detectable = detectable_of(net, survey, fit, shown);
     }
     result.scales = shown.scales;
@@ -406,11 +405,10 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     result.boundary_not_released = fit.hypotheses().suspicious_count(Hypotheses::Family::boundary);
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
-    if (fit.statics().common().has_frame()) {
-        result.frame_offset = frame_offset_of(fit.statics(), fitted.iterate);
+    if (fitted.model().common.has_frame()) {
+        result.frame_offset = frame_offset_of(fitted);
     }
-    result.uncertain =
-        parameter_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
+    result.uncertain = parameter_estimates(net, knowledge, fitted, observations);
     leave_out_released(result);
     if (!trend.empty()) {
         take_up_trend(result, trend, fit_net);
@@ -418,14 +416,15 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         observations.mean_root = trend.columns * trend.root;
     }
     if (!fit_net.is_linear()) {
-        fit.statics().fix_tension_laws(fitted.iterate);  // (drawn-law)
+        StaticsModel fixed = fitted.model();
+        fixed.fix_tension_laws(fitted.iterate);  // (drawn-law)
+        fitted.linearisation = std::move(fitted.linearisation).under(std::move(fixed));
     }
-    draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
-                   fitted.iterate, wanted, progress);
-    if (!wanted.covariance_of.empty() && fitted.converged) {
+    draw_posterior(result, net, fit_net, survey, knowledge, fitted, observations, wanted, progress);
+    if (!wanted.covariance_of.empty() && fit.converged()) {
         // After the draws, which may widen the standard deviations.
         result.length_covariance =
-            covariance_of(wanted.covariance_of, fit_net, fit.statics(), trend, result);
+            covariance_of(wanted.covariance_of, fit_net, fitted.linearisation, trend, result);
     }
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
@@ -450,16 +449,16 @@ IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, co
 
 Identification identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
                                  const LengthPrior& prior, const PriorKnowledge& knowledge,
-                                 const SurveyFit& fit, const GaussNewtonResult& fitted,
+                                 const SurveyFit& fit, const LinearisedFit& fitted,
                                  const Observations& observations) {
     Identification result;
-    if (!fitted.converged) {
+    if (!fit.converged()) {
         result.status = IdentificationStatus::iteration_limit;
         result.message = why_not_converged(net, survey, prior);
     }
     set_snooping(result, survey, fit.hypotheses(), fit.outliers(), fit.contradicts_too_many());
     std::vector<LengthLikelihood> likelihoods =
-        length_likelihoods(fit_net, knowledge, fit.statics(), observations,
+        length_likelihoods(fit_net, knowledge, fitted.model(), fitted.covariance, observations,
                            fitted.iterate);  // (covariance), (likelihood), (posterior)
     if (fit_net.interior_edge_count() > net.interior_edge_count()) {
         std::vector<LengthLikelihood> interior;

@@ -71,6 +71,6 @@ struct IdentifiedEpoch {
 [[nodiscard]] TAUT_CORE_EXPORT Identification
 identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
                   const LengthPrior& prior, const PriorKnowledge& knowledge, const SurveyFit& fit,
-                  const GaussNewtonResult& fitted, const Observations& observations);
+                  const LinearisedFit& fitted, const Observations& observations);
 
 }  // namespace taut

@@ -48,15 +48,15 @@ double reported_width(double std, double given) {
 
 class Estimates {
 public:
-    Estimates(const CableNet& net, const PriorKnowledge& knowledge,
-              const LinearisedStatics& statics, const Observations& sites, const Iterate& fitted)
+    Estimates(const CableNet& net, const PriorKnowledge& knowledge, const LinearisedFit& fitted,
+              const Observations& sites)
         : m_net(net),
           m_knowledge(knowledge),
-          m_statics(statics),
+          m_model(fitted.model()),
+          m_covariance(fitted.covariance),
           m_sites(sites),
-          m_fitted(fitted),
-          m_blur_variances(statics.blur().length_variances(sites.variance.size())),
-          m_length_variances(statics.length_variances()) {}
+          m_fitted(fitted.iterate),
+          m_blur_variances(m_model.blur.length_variances(sites.variance.size())) {}
 
     [[nodiscard]] std::vector<ParameterEstimate> run() && {
         int common = 0;
@@ -90,18 +90,17 @@ public:
 private:
     /// @param k place among the common parameters
     void add_common(const UncertainParameter& parameter, int k) {
-        m_result.push_back(
-            {.parameter = parameter,
-             .mean = parameter.std * m_fitted.common(k),
-             .std = std_or(parameter.std * parameter.std * m_statics.common_covariance()(k, k),
-                           parameter.std)});
+        m_result.push_back({.parameter = parameter,
+                            .mean = parameter.std * m_fitted.common(k),
+                            .std = std_or(parameter.std * parameter.std * m_covariance.common(k, k),
+                                          parameter.std)});
     }
 
     /// The share of an edge's deviation by a part of its prior variance.
     [[nodiscard]] Share share(int edge, double part) const {
         const double prior = m_sites.variance(edge) + m_blur_variances(edge);
         // Where rounding errors exceed it, nothing is known.
-        const double found = m_length_variances(edge);
+        const double found = m_covariance.lengths(edge);
         return share_of(part, prior, m_fitted.deviations(edge) - m_sites.mean(edge),
                         found > 0.0 ? found : prior);
     }
@@ -111,7 +110,7 @@ private:
         const Eigen::VectorXd stds = own_stiffness_stds(m_net, m_knowledge.uncertain);
         for (const int edge : edges_of(m_net, parameter)) {
             ParameterEstimate estimate{.parameter = parameter, .edge = edge, .std = parameter.std};
-            if (const double part = m_statics.blur().stiffness(edge); part > 0.0) {
+            if (const double part = m_model.blur.stiffness(edge); part > 0.0) {
                 // The edge's own stiffness may be the sum of two parameters; this one is a part of
                 // it.
                 const double by_length = stds(edge) / std::sqrt(part);
@@ -147,18 +146,18 @@ private:
     }
 
     void add_supports(const UncertainParameter& parameter) {
-        const Points motion = m_statics.common().support_motion(m_fitted.common);
+        const Points motion = m_model.common.support_motion(m_fitted.common);
         for (const int node : m_net.supports()) {
             const Eigen::Vector3d shift =
                 m_fitted.form.col(node) - m_net.nodes().col(node) - motion.col(node);
-            add_node(parameter, node, shift, m_statics.form_covariance(node));
+            add_node(parameter, node, shift, m_covariance.places[node]);
         }
     }
 
     void add_own_loads(const UncertainParameter& parameter) {
         for (const int node : m_net.free_nodes()) {
             const Eigen::Vector3d load = m_fitted.loads.col(node);
-            add_node(parameter, node, load, m_statics.load_covariance(node));
+            add_node(parameter, node, load, m_covariance.loads[node]);
         }
     }
 
@@ -175,11 +174,11 @@ private:
 
     const CableNet& m_net;
     const PriorKnowledge& m_knowledge;
-    const LinearisedStatics& m_statics;
+    const StaticsModel& m_model;
+    const Covariance& m_covariance;
     const Observations& m_sites;
     const Iterate& m_fitted;
     Eigen::VectorXd m_blur_variances;
-    Eigen::VectorXd m_length_variances;
     std::vector<ParameterEstimate> m_result;
 };
 
@@ -298,10 +297,9 @@ PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthPrior& prior,
 
 std::vector<ParameterEstimate> parameter_estimates(const CableNet& net,
                                                    const PriorKnowledge& knowledge,
-                                                   const LinearisedStatics& statics,
-                                                   const Observations& sites,
-                                                   const Iterate& fitted) {
-    return Estimates(net, knowledge, statics, sites, fitted).run();
+                                                   const LinearisedFit& fitted,
+                                                   const Observations& sites) {
+    return Estimates(net, knowledge, fitted, sites).run();
 }
 
 }  // namespace taut

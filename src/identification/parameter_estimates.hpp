@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "taut/identification/parameter_estimate.hpp"
@@ -29,12 +29,10 @@ namespace taut {
                                           const Forces& forces, const Eigen::VectorXd& stds);
 
 /// Estimates of all uncertain parameters after a fit, in the order given.
-/// @param statics linearised and inverted at the fit, of the net to fit
 /// @param sites observations of the fit
 [[nodiscard]] std::vector<ParameterEstimate> parameter_estimates(const CableNet& net,
                                                                  const PriorKnowledge& knowledge,
-                                                                 const LinearisedStatics& statics,
-                                                                 const Observations& sites,
-                                                                 const Iterate& fitted);
+                                                                 const LinearisedFit& fitted,
+                                                                 const Observations& sites);
 
 }  // namespace taut

@@ -8,12 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "identification/parameter_estimates.hpp"
 #include "taut/estimation/length_posterior.hpp"
-#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -50,29 +49,8 @@ public:
           m_fit_net(net_to_fit(net, uncertain)),
           m_knowledge(
               knowledge_of(m_fit_net, prior, uncertain, forces, adjustable_stds(net, uncertain))),
-          m_statics(m_fit_net, uncertain) {
-        std::vector<bool> slack(net.edge_count(), false);
-        for (const int edge : slack_edges(net, net.unstressed_lengths(), form)) {
-            slack[edge] = true;
-        }
-        m_statics.set_slack(std::move(slack));
-        LawBlur blur = blur_by(m_fit_net, prior.std(), uncertain);
-        blur.strain_stds.resize(0);  // tension laws as they are at the design
-        blur.missed.resize(0);
-        m_statics.set_blur(std::move(blur));
-        const int common = m_statics.common().count();
-        Iterate design = nominal_iterate(m_fit_net, common);
-        design.form = form;
-        const std::vector<bool> none_rejected(net.node_count(), false);
-        const Survey seen = with_supports(m_fit_net, survey);
-        const Observations observations = observe(m_fit_net, seen, with_noise_floor(net, seen),
-                                                  none_rejected, m_knowledge, common);
-        if (!m_statics.linearise(design, observations)) {
-            throw NumericalError("the statics of the net are singular at this form");
-        }
-        m_statics.invert();
-        m_tensions = m_statics.tensions(design);
-    }
+          m_fit(fit(form, survey, prior)),
+          m_tensions(m_fit.model().tensions(m_fit.iterate)) {}
     Prediction(const Prediction&) = delete;
     Prediction& operator=(const Prediction&) = delete;
 
@@ -80,8 +58,8 @@ public:
     [[nodiscard]] Eigen::VectorXd length_variances(const LengthPrior& prior) const {
         const double of_prior = prior.std() * prior.std();
         const Eigen::VectorXd blur =
-            m_statics.blur().length_variances(m_fit_net.interior_edge_count());
-        const Eigen::VectorXd found = m_statics.length_variances();
+            m_fit.model().blur.length_variances(m_fit_net.interior_edge_count());
+        const Eigen::VectorXd& found = m_fit.covariance.lengths;
         const bool has_all = m_fit_net.interior_edge_count() > m_net.interior_edge_count();
         Eigen::VectorXd result(m_net.interior_edge_count());
         for (int k = 0; k < result.size(); ++k) {
@@ -95,8 +73,9 @@ public:
     }
 
     void add_tensions(PredictedPrecision& result, double relative_force_std) const {
-        const Eigen::VectorXd variances = m_statics.tension_variances();
-        const Eigen::VectorXd with_mean = m_statics.covariances_with_mean_tension();
+        const Eigen::VectorXd& variances = m_fit.covariance.tensions;
+        const Eigen::VectorXd with_mean = m_fit.linearisation.covariances_with(
+            Eigen::VectorXd::Constant(m_net.edge_count(), 1.0 / m_net.edge_count()));
         const double of_mean = with_mean.mean();
         result.mean_tension = m_tensions.mean();
         result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
@@ -123,10 +102,29 @@ public:
     }
 
 private:
+    [[nodiscard]] LinearisedFit fit(const Points& form, const Survey& survey,
+                                    const LengthPrior& prior) const {
+        StaticsModel model(m_fit_net, m_knowledge.uncertain);
+        for (const int edge : slack_edges(m_net, m_net.unstressed_lengths(), form)) {
+            model.slack[edge] = true;
+        }
+        model.blur = blur_by(m_fit_net, prior.std(), m_knowledge.uncertain);
+        model.blur.strain_stds.resize(0);  // tension laws as they are at the design
+        model.blur.missed.resize(0);
+        const int common = model.common.count();
+        Iterate design = nominal_iterate(m_fit_net, common);
+        design.form = form;
+        const std::vector<bool> none_rejected(m_net.node_count(), false);
+        const Survey seen = with_supports(m_fit_net, survey);
+        return linearised_fit(model, std::move(design),
+                              observe(m_fit_net, seen, with_noise_floor(m_net, seen), none_rejected,
+                                      m_knowledge, common));
+    }
+
     const CableNet& m_net;
     CableNet m_fit_net;
     PriorKnowledge m_knowledge;
-    LinearisedStatics m_statics;
+    LinearisedFit m_fit;
     Eigen::VectorXd m_tensions;
 };
 

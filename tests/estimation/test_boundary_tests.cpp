@@ -23,16 +23,15 @@ constexpr double noise = 0.5e-3;
 struct Fitted {
     CableNet net;
     SimulatedSurvey simulated;
-    std::unique_ptr<SurveyFit> fit;
-    GaussNewtonResult result;
+    SurveyFit fit;
+    LinearisedFit result;
 
     Fitted(const CableNet& designed, const CableNet& built, bool tested)
-        : net(designed), simulated(simulate(built, prior, noise, 3)) {
-        fit = std::make_unique<SurveyFit>(
-            net, simulated.survey, PriorKnowledge(net, prior),
-            SurveyFitSettings{.false_alarm_rate = tested ? default_false_alarm_rate : 0.0});
-        result = fit->run();
-    }
+        : net(designed),
+          simulated(simulate(built, prior, noise, 3)),
+          fit(net, simulated.survey, PriorKnowledge(net, prior),
+              {.false_alarm_rate = tested ? default_false_alarm_rate : 0.0}),
+          result(fit.run()) {}
 };
 
 CableNet with_length(const CableNet& net, int edge, double by) {
@@ -48,11 +47,11 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
     const double off = 0.01;
     const Fitted held(net, with_length(net, edge, off), false);
     const Fitted freed(net, with_length(net, edge, off), true);
-    const LinearisedStatics::Score score =
-        held.fit->statics().score_of_edge(edge, held.result.iterate, held.fit->observations());
+    const Linearisation::Score score = held.result.linearisation.score_of_edge(
+        edge, held.result.covariance, held.result.iterate, held.fit.observations());
     const double std = 1.0 / std::sqrt(score.information(0, 0));
     const double estimate = score.gradient(0) / score.information(0, 0);
-    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit->hypotheses());
+    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses());
     ASSERT_EQ(found.size(), 1U) << estimate << " +- " << std;
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::adjustable_edge);
     EXPECT_EQ(found[0].index, edge);
@@ -64,21 +63,20 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
 // Differences of the fitted misfit by the number: what a survey larger by a part would gain.
 TEST(SurveyScore, IsTheSlopeOfTheObjective) {
     const CableNet net = hypar(6, 6);
-    Fitted held(net, net, false);
+    const Fitted held(net, net, false);
     const Points rate = net.nodes().colwise() - net.nodes().rowwise().mean();
-    const Observations observed = held.fit->observations();
-    const LinearisedStatics::Score score =
-        held.fit->statics().score_of_survey({rate}, held.result.iterate, observed);
+    const Observations observed = held.fit.observations();
+    const Linearisation::Score score =
+        held.result.linearisation.score_of_survey({rate}, held.result.iterate, observed);
     const auto objective = [&](double scale) {
         Observations scaled = observed;
         scaled.form -= scale * rate;
-        LinearisedStatics& statics = held.fit->statics();
+        const StaticsModel& model = held.result.model();
         Iterate at = held.result.iterate;
         for (int round = 0; round < 6; ++round) {
-            EXPECT_TRUE(statics.linearise(at, scaled));
-            at = at.moved(statics.step(at, scaled));
+            at = at.moved(linearise(model, at, scaled).value().step(at, scaled));
         }
-        return statics.objective(scaled, at);
+        return model.objective(scaled, at);
     };
     const double h = 1e-4;
     const double slope = (objective(h) - objective(-h)) / (2.0 * h);
@@ -108,10 +106,10 @@ TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
     moved.nodes(2, held) += 0.006;
     const Fitted kept(net, CableNet(moved), false);
     const Fitted freed(net, CableNet(moved), true);
-    const LinearisedStatics::Score score = kept.fit->statics().score_of_support(
-        held, edges_at(held), kept.result.iterate, kept.fit->observations());
+    const Linearisation::Score score = kept.result.linearisation.score_of_support(
+        held, edges_at(held), kept.result.covariance, kept.result.iterate, kept.fit.observations());
     const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
-    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit->hypotheses());
+    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses());
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::support);
     EXPECT_EQ(found[0].index, held);

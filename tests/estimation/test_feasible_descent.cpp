@@ -42,6 +42,12 @@ struct Weak {
         }
     }
 
+    /// With rounded tension laws.
+    [[nodiscard]] StaticsModel model() const {
+        StaticsModel result(net);
+        result.corner_width = corner;
+        return result;
+    }
     [[nodiscard]] double objective(const Iterate& at) const {
         return 0.5 * (observed.weights.cwiseProduct((at.form - observed.form).cwiseAbs2()).sum() +
                       at.deviations.cwiseAbs2().cwiseQuotient(observed.variance).sum());
@@ -49,14 +55,13 @@ struct Weak {
 
     /// The form of given lengths under the rounded tension law: Newton's method on the forces
     /// alone.
-    [[nodiscard]] Iterate balanced(LinearisedStatics& statics, Iterate at) const {
+    [[nodiscard]] Iterate balanced(Iterate at) const {
         Observations known = observed;
         known.weights.setZero();
         known.mean = at.deviations;
         known.variance.setConstant(1e-24);
         for (int k = 0; k < 30; ++k) {
-            EXPECT_TRUE(statics.linearise(at, known));
-            at.form += statics.step(at, known).form;
+            at.form += linearise(model(), at, known).value().step(at, known).form;
         }
         return at;
     }
@@ -64,12 +69,10 @@ struct Weak {
 
 TEST(FeasibleDescent, EndsAtAFormInEquilibrium) {
     const Weak weak(1);
-    LinearisedStatics statics(weak.net);
-    statics.round_corners(corner);
     const GaussNewtonResult found =
-        feasible_descent(statics, weak.observed, nominal_iterate(weak.net), 1e-3, 200);
+        feasible_descent(weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, 200);
     ASSERT_TRUE(found.converged);
-    const Iterate exact = weak.balanced(statics, found.iterate);
+    const Iterate exact = weak.balanced(found.iterate);
     EXPECT_LT((exact.form - found.iterate.form).cwiseAbs().maxCoeff(), 1e-2 * noise_std);
 }
 
@@ -77,19 +80,17 @@ TEST(FeasibleDescent, EndsAtAFormInEquilibrium) {
 TEST(FeasibleDescent, EndsWhereNoLengthLowersTheObjective) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const Weak weak(seed);
-        LinearisedStatics statics(weak.net);
-        statics.round_corners(corner);
         const GaussNewtonResult found =
-            feasible_descent(statics, weak.observed, nominal_iterate(weak.net), 1e-3, 200);
+            feasible_descent(weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, 200);
         ASSERT_TRUE(found.converged);
-        const double lowest = weak.objective(weak.balanced(statics, found.iterate));
+        const double lowest = weak.objective(weak.balanced(found.iterate));
         for (int i = 0; i < weak.net.interior_edge_count(); ++i) {
             constexpr double change = 2e-5;
             double sides[2];
             for (const int side : {0, 1}) {
                 Iterate moved = found.iterate;
                 moved.deviations(i) += side == 0 ? change : -change;
-                sides[side] = weak.objective(weak.balanced(statics, moved));
+                sides[side] = weak.objective(weak.balanced(moved));
             }
             const double bend = sides[0] + sides[1] - 2.0 * lowest;
             EXPECT_GT(bend, 0.0);
@@ -102,10 +103,8 @@ TEST(FeasibleDescent, EndsWhereNoLengthLowersTheObjective) {
 
 TEST(FeasibleDescent, ReportsThatItsStepsDidNotSuffice) {
     const Weak weak(1);
-    LinearisedStatics statics(weak.net);
-    statics.round_corners(corner);
-    EXPECT_FALSE(
-        feasible_descent(statics, weak.observed, nominal_iterate(weak.net), 1e-3, 1).converged);
+    EXPECT_FALSE(feasible_descent(weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, 1)
+                     .converged);
 }
 
 }  // namespace

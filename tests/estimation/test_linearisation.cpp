@@ -6,12 +6,13 @@
 // is built here as one dense matrix, its derivatives by differences of forces written down once
 // more.
 
-#include "estimation/linearised_statics.hpp"
+#include "estimation/linearisation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "support/finite_differences.hpp"
@@ -63,8 +64,7 @@ protected:
             m_observed.tension(edge) = 3e3;
             m_observed.tension_weights(edge) = 1.0 / (60.0 * 60.0);
         }
-        EXPECT_TRUE(m_statics.linearise(m_iterate, m_observed));
-        m_statics.invert();
+        m_fit = linearised_fit(StaticsModel(m_net, m_uncertain), m_iterate, m_observed);
     }
 
     // All unknowns as one vector: places of all nodes, lengths, loads of free nodes, common ones.
@@ -127,7 +127,7 @@ protected:
     const Eigen::Index m_size = m_places + m_lengths + m_loads + 3;
     Iterate m_iterate = nominal_iterate(m_net, 3);
     Observations m_observed = nothing_observed(m_net, 0.002, 3);
-    LinearisedStatics m_statics{m_net, m_uncertain};
+    std::optional<LinearisedFit> m_fit;
 };
 
 /// The dense system [Q A'; A 0], with Q the weights and A the derivative of the forces.
@@ -187,7 +187,7 @@ void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected) 
 
 TEST_F(Dense, TheStepIsThatOfTheWholeProblem) {
     const Eigen::VectorXd expected = m_matrix.partialPivLu().solve(m_right_side).head(m_size);
-    const Iterate step = m_statics.step(m_iterate, m_observed);
+    const Iterate step = m_fit->linearisation.step(m_iterate, m_observed);
     const Iterate exact = apart(expected);
     expect_near(step.form, exact.form);
     expect_near(step.deviations, exact.deviations);
@@ -197,30 +197,32 @@ TEST_F(Dense, TheStepIsThatOfTheWholeProblem) {
 
 TEST_F(Dense, TheCovariancesAreThoseOfTheWholeProblem) {
     for (int node = 0; node < m_net.node_count(); ++node) {
-        expect_near(m_statics.form_covariance(node), m_covariance.block<3, 3>(3 * node, 3 * node));
+        expect_near(m_fit->covariance.places[node], m_covariance.block<3, 3>(3 * node, 3 * node));
     }
-    expect_near(m_statics.length_variances(), m_covariance.diagonal().segment(m_places, m_lengths));
+    expect_near(m_fit->covariance.lengths, m_covariance.diagonal().segment(m_places, m_lengths));
     const Eigen::Index loads = m_places + m_lengths;
     for (int k = 0; k < m_net.free_node_count(); ++k) {
-        expect_near(m_statics.load_covariance(m_net.free_nodes()[k]),
+        expect_near(m_fit->covariance.loads[m_net.free_nodes()[k]],
                     m_covariance.block<3, 3>(loads + 3 * k, loads + 3 * k));
     }
-    expect_near(m_statics.common_covariance(), m_covariance.bottomRightCorner<3, 3>());
+    expect_near(m_fit->covariance.common, m_covariance.bottomRightCorner<3, 3>());
 }
 
 TEST_F(Dense, TheVariancesOfTensionsAndTheirMeanAreThoseOfTheWholeProblem) {
     const Eigen::MatrixXd of_tensions =
         m_tension_rates * m_covariance * m_tension_rates.transpose();
-    expect_near(m_statics.tension_variances(), of_tensions.diagonal());
-    expect_near(m_statics.covariances_with_mean_tension(), of_tensions.rowwise().mean());
+    expect_near(m_fit->covariance.tensions, of_tensions.diagonal());
+    expect_near(m_fit->linearisation.covariances_with(
+                    Eigen::VectorXd::Constant(m_net.edge_count(), 1.0 / m_net.edge_count())),
+                of_tensions.rowwise().mean());
 }
 
 TEST_F(Dense, TheSquaredNormHoldsAllThatIsObserved) {
-    const Iterate step = m_statics.step(m_iterate, m_observed);
+    const Iterate step = m_fit->linearisation.step(m_iterate, m_observed);
     const Eigen::VectorXd dx = together(step);
-    EXPECT_NEAR(m_statics.squared_norm(m_observed, step),
+    EXPECT_NEAR(m_fit->linearisation.squared_norm(m_observed, step),
                 dx.dot(m_matrix.topLeftCorner(m_size, m_size) * dx),
-                1e-5 * m_statics.squared_norm(m_observed, step));
+                1e-5 * m_fit->linearisation.squared_norm(m_observed, step));
 }
 
 }  // namespace

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <tbb/parallel_for.h>
+
+#include <utility>
+
+#include "estimation/linearisation.hpp"
+
+namespace taut {
+Covariance Linearisation::covariance() const {
+    const StaticsNumbering& numbers = m_model->numbering();
+    const CommonParameters& common = m_model->common;
+    const CableNet& net = m_model->net();
+    BorderedFactor::Covariance found = m_matrix->covariance();
+    const double squared_unit = m_length_unit * m_length_unit;
+    const double force_unit = m_multiplier_unit * m_multiplier_unit;
+    Covariance result{
+        .places = std::vector<Eigen::Matrix3d>(net.node_count()),
+        .lengths = squared_unit * found.lengths(net.interior_edges()),
+        .extensions = squared_unit * found.extensions(net.interior_edges()),
+        .tensions = found.forces / force_unit,
+        .loads = std::vector<Eigen::Matrix3d>(net.node_count(), Eigen::Matrix3d::Zero()),
+        .common = found.border,
+        .multipliers = {}};
+    for (int node = 0; node < net.node_count(); ++node) {
+        const int local = numbers.local_of[node];
+        if (numbers.has_place(node)) {
+            result.places[node] = squared_unit * found.places[local];
+        } else {  // (frame)
+            Eigen::Matrix3Xd rates(3, common.count());
+            for (int k = 0; k < common.count(); ++k) {
+                rates.col(k) = common.support_rate(k, node);
+            }
+            result.places[node] = rates * found.border * rates.transpose();
+        }
+        if (local < numbers.local.free_count) {  // V + V Z V, Z the inverse over the multipliers
+            const Eigen::Vector3d variance = m_matrix->inner.load_variances.col(local);
+            const Eigen::Matrix3d V = variance.asDiagonal();
+            result.loads[node] = (V + V * found.multipliers[local] * V) / force_unit;
+        }
+    }
+    result.multipliers = std::move(found.multipliers);
+    return result;
+}
+
+/// a' Z g, with g the weighted sum of all a.
+Eigen::VectorXd Linearisation::covariances_with(const Eigen::VectorXd& weights) const {
+    const SaddlePointFactor& matrix = m_matrix->inner;
+    const StaticsNumbering& numbers = m_model->numbering();
+    BorderedFactor::Vector sum = empty_vector();
+    sum.inner.lengths = weights.cwiseProduct(matrix.force_length_rates);
+    sum.border = m_multiplier_unit * m_tension_rates.transpose() * weights;
+    for (int e = 0; e < weights.size(); ++e) {
+        add_place_rates(e, weights(e), sum.inner.places);
+    }
+    const BorderedFactor::Vector varied = m_matrix->solve(sum);
+    Eigen::VectorXd result(weights.size());
+    for (int e = 0; e < weights.size(); ++e) {
+        double of_edge = matrix.force_length_rates(e) * varied.inner.lengths(e) +
+                         m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
+        const auto [s, t] = numbers.local.edges[e];
+        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+            if (node < std::ssize(numbers.nodes)) {
+                of_edge +=
+                    sign * matrix.force_place_rates.col(e).dot(varied.inner.places.col(node));
+            }
+        }
+        result(e) = of_edge / (m_multiplier_unit * m_multiplier_unit);
+    }
+    return result;
+}
+
+Eigen::MatrixXd Linearisation::evidence_covariance(int common_count) const {
+    const std::vector<int>& edges = m_model->net().interior_edges();
+    const auto lengths = static_cast<int>(std::ssize(edges));
+    Eigen::MatrixXd result(lengths + common_count, lengths + common_count);
+    tbb::parallel_for(0, lengths + common_count, [&](int k) {
+        BorderedFactor::Vector unit = empty_vector();
+        (k < lengths ? unit.inner.lengths(edges[k]) : unit.border(k - lengths)) = 1.0;
+        const BorderedFactor::Vector column = m_matrix->solve(unit);
+        result.col(k) << m_length_unit * column.inner.lengths(edges),
+            column.border.head(common_count);
+    });
+    result.leftCols(lengths) *= m_length_unit;
+    return 0.5 * (result + result.transpose());
+}
+
+Eigen::MatrixXd Linearisation::length_covariance(const std::vector<int>& edges) const {
+    const auto count = std::ssize(edges);
+    Eigen::MatrixXd result(count, count);
+    tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
+        BorderedFactor::Vector unit = empty_vector();
+        unit.inner.lengths(edges[k]) = 1.0;
+        result.col(k) = m_length_unit * m_length_unit * m_matrix->solve(unit).inner.lengths(edges);
+    });
+    return 0.5 * (result + result.transpose());
+}
+
+Linearisation::LengthResponse Linearisation::response_to_lengths(
+    const Eigen::MatrixXd& weights) const {
+    const std::vector<int>& edges = m_model->net().interior_edges();
+    const int common_count = m_model->common.count();
+    LengthResponse result{.lengths = Eigen::MatrixXd(weights.rows(), weights.cols()),
+                          .common = Eigen::MatrixXd(common_count, weights.cols())};
+    tbb::parallel_for(Eigen::Index{0}, weights.cols(), [&](Eigen::Index k) {
+        BorderedFactor::Vector sum = empty_vector();
+        sum.inner.lengths(edges) = weights.col(k);
+        const BorderedFactor::Vector varied = m_matrix->solve(sum);
+        result.lengths.col(k) = m_length_unit * m_length_unit * varied.inner.lengths(edges);
+        result.common.col(k) = m_length_unit * varied.border.head(common_count);
+    });
+    return result;
+}
+
+}  // namespace taut
