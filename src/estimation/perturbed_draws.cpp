@@ -135,21 +135,20 @@ Iterate all_taut(const CableNet& net, const Iterate& fitted) {
 /// Draws one after another, each from its own random numbers.
 class Perturbation {
 public:
-    Perturbation(const CableNet& net, const LinearisedFit& fitted, const Observations& sites,
+    Perturbation(const LinearisedFit& fitted, const Observations& sites,
                  const PriorKnowledge& knowledge, std::uint64_t seed)
-        : m_net(net),
+        : m_net(fitted.model().net()),
           m_model(fitted.model()),
           m_linearisation(fitted.linearisation),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_blur_variances(m_model.blur.length_variances(net.interior_edge_count())),
-          m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
+          m_blur_variances(m_model.blur.length_variances(sites.variance.size())),
           m_fitted(fitted.iterate),
           m_refit_model(m_model),
-          m_all_taut(all_taut(net, fitted.iterate)),
+          m_all_taut(all_taut(m_net, fitted.iterate)),
           m_seed(seed) {
-        m_refit_model.slack = knowledge.as_seen(std::vector<bool>(net.edge_count(), false));
-        m_refit_model.corner_width = corner_of_draws * smallest_noise(net, sites);
+        m_refit_model.slack = knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false));
+        m_refit_model.corner_width = corner_of_draws * smallest_noise(m_net, sites);
     }
 
     /// This many draws; fewer where the first ones are unreliable.
@@ -194,8 +193,7 @@ private:
     const Linearisation& m_linearisation;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    Eigen::VectorXd m_blur_variances;      ///< m_I, LawBlur::length_variances() [m2]
-    Eigen::VectorXd m_own_stiffness_stds;  ///< m
+    Eigen::VectorXd m_blur_variances;  ///< m_I, LawBlur::length_variances() [m2]
     const Iterate& m_fitted;
     StaticsModel m_refit_model;  ///< no edge carries pressure
     Iterate m_all_taut;
@@ -265,7 +263,8 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
             const double part = of_stiffness(i) / (m_sites.variance(i) + m_blur_variances(i));
             const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
-            own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
+            own_stiffness(edge) =
+                -m_model.own_stiffness_stds()(edge) * length / std::sqrt(of_stiffness(i));
             deviation -= length;
         }
         const double nominal = m_net.unstressed_lengths()(edge);
@@ -457,13 +456,14 @@ bool PerturbedDraws::is_unreliable() const {
     return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
 }
 
-PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedFit& fitted,
-                                    const Observations& sites, const PriorKnowledge& knowledge,
-                                    int draws, std::uint64_t seed, const Progress& progress) {
-    const Perturbation perturbation(net, fitted, sites, knowledge, seed);
+PerturbedDraws draw_by_perturbation(const LinearisedFit& fitted, const Observations& sites,
+                                    const PriorKnowledge& knowledge, int draws, std::uint64_t seed,
+                                    const Progress& progress) {
+    const Perturbation perturbation(fitted, sites, knowledge, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
-    return linear.is_unreliable() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
-                                                        : linear;
+    return linear.is_unreliable() && can_be_fitted(fitted.model().net())
+               ? perturbation.run(draws, true, progress)
+               : linear;
 }
 
 }  // namespace taut

@@ -169,8 +169,8 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     if (settings.count == 0 || result.status != IdentificationStatus::converged) {
         return;
     }
-    PerturbedDraws drawn = draw_by_perturbation(fit_net, fitted, sites, knowledge, settings.count,
-                                                settings.seed, progress);
+    PerturbedDraws drawn =
+        draw_by_perturbation(fitted, sites, knowledge, settings.count, settings.seed, progress);
     PosteriorDraws draws{
         .length_deviations = {},
         .adjustable_deviations = {},
