@@ -16,12 +16,10 @@ using Score = Linearisation::Score;
 /// posterior covariance of the place, the gradient is P (found - expected), with the covariance
 /// P - P C P. C includes the variance of an unknown frame. Directions of which the survey shows
 /// less than a quarter are not tested. docs/theory.md, (boundary)
-Score score_of_place(int node, const CableNet& net, const CommonParameters& common,
-                     const Covariance& covariance, const Iterate& fitted,
-                     const Observations& observations) {
+Score score_of_place(int node, const StaticsModel& model, const Covariance& covariance,
+                     const Iterate& fitted, const Observations& observations) {
     const Eigen::Vector3d precision = observations.support_weights.col(node);
-    const Eigen::Vector3d shift = fitted.form.col(node) - net.nodes().col(node) -
-                                  common.support_motion(fitted.common).col(node);
+    const Eigen::Vector3d shift = model.support_deviations(fitted).col(node);
     const Eigen::Matrix3d P = precision.asDiagonal();
     const Eigen::Matrix3d information = P - P * covariance.places[node] * P;
     constexpr double least_part = 0.25;
@@ -115,25 +113,25 @@ std::vector<Hypothesis> boundary_hypotheses(const CableNet& net, double false_al
     return result;
 }
 
-void test_boundary(Hypotheses& hypotheses, const CableNet& net, bool are_supports_uncertain,
-                   const Linearisation& linearisation, const Covariance& covariance,
-                   const Iterate& fitted, const Observations& observations) {
-    const CommonParameters& common = linearisation.model().common;
+void test_boundary(Hypotheses& hypotheses, const Linearisation& linearisation,
+                   const Covariance& covariance, const Iterate& fitted,
+                   const Observations& observations) {
+    const StaticsModel& model = linearisation.model();
     const auto score_of = [&](const Hypothesis& hypothesis) {
         if (hypothesis.kind == Suspect::adjustable_edge) {
             return linearisation.score_of_edge(hypothesis.index, covariance, fitted, observations);
         }
-        if (are_supports_uncertain) {
-            return score_of_place(hypothesis.index, net, common, covariance, fitted, observations);
+        if (model.are_supports_uncertain()) {
+            return score_of_place(hypothesis.index, model, covariance, fitted, observations);
         }
-        const std::span<const int> edges = net.edges_at(hypothesis.index);
+        const std::span<const int> edges = model.net().edges_at(hypothesis.index);
         return linearisation.score_of_support(hypothesis.index, {edges.begin(), edges.end()},
                                               covariance, fitted, observations);
     };
     for (const Suspect kind : {Suspect::adjustable_edge, Suspect::support}) {
         for (Hypothesis& hypothesis : hypotheses.of(kind)) {
             if (hypothesis.is_released()) {
-                take_estimate(hypothesis, common, covariance.common, fitted,
+                take_estimate(hypothesis, model.common, covariance.common, fitted,
                               hypotheses.residual_scale);
             } else {
                 take_score(hypothesis, score_of(hypothesis), hypotheses.residual_scale);

@@ -19,10 +19,9 @@ namespace taut {
 /// Tests each of them at a fit, by the score statistic of it as a free parameter, docs/theory.md
 /// (boundary); of a released one, of which the survey alone determines the length or place, the
 /// estimate.
-/// @param are_supports_uncertain supports are tested against their standard deviation
-void test_boundary(Hypotheses& hypotheses, const CableNet& net, bool are_supports_uncertain,
-                   const Linearisation& linearisation, const Covariance& covariance,
-                   const Iterate& fitted, const Observations& observations);
+void test_boundary(Hypotheses& hypotheses, const Linearisation& linearisation,
+                   const Covariance& covariance, const Iterate& fitted,
+                   const Observations& observations);
 
 /// The adjustable edges and supports to fit with as free.
 [[nodiscard]] BoundaryReleases boundary_releases(const Hypotheses& hypotheses);

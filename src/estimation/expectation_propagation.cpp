@@ -49,13 +49,12 @@ struct Distance {
 };
 
 /// One round of (tilted) and (site).
-void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
-                         const LinearisedFit& fitted, Observations& observations,
-                         Distance& distance) {
+void update_length_sites(const PriorKnowledge& knowledge, const LinearisedFit& fitted,
+                         Observations& observations, Distance& distance) {
     const std::vector<LengthLikelihood> likelihoods = length_likelihoods(
-        net, knowledge, fitted.model(), fitted.covariance, observations, fitted.iterate);
-    const Eigen::VectorXd blur = fitted.model().blur.length_variances(net.interior_edge_count());
-    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        knowledge, fitted.model(), fitted.covariance, observations, fitted.iterate);
+    const Eigen::VectorXd blur = fitted.model().blur.length_variances(observations.variance.size());
+    for (int i = 0; i < blur.size(); ++i) {
         const LengthPrior& prior = knowledge.priors[i];
         LengthLikelihood cavity = likelihoods[i];
         if (may_be_slack(prior, cavity)) {
@@ -130,15 +129,14 @@ private:
 };
 
 /// The sites where they converge, else nothing.
-std::optional<Propagated> converged_sites(const CableNet& net, const PriorKnowledge& knowledge,
-                                          LinearisedFit start, Observations sites,
-                                          double tolerance) {
+std::optional<Propagated> converged_sites(const PriorKnowledge& knowledge, LinearisedFit start,
+                                          Observations sites, double tolerance) {
     const StaticsModel model = start.model();
     TautSites taut(knowledge, sites);
     std::optional<LinearisedFit> fit = std::move(start);
     for (int round = 0; fit && round < most_rounds; ++round) {
         Distance distance;
-        update_length_sites(net, knowledge, *fit, sites, distance);
+        update_length_sites(knowledge, *fit, sites, distance);
         taut.update(*fit, sites, distance);
         if (distance.rms() > converged_part) {
             fit = (*std::move(fit)).stepped(sites);  // one step a round
@@ -159,9 +157,8 @@ std::optional<Propagated> converged_sites(const CableNet& net, const PriorKnowle
 
 }  // namespace
 
-Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
-                           LinearisedFit fitted, const Observations& observations,
-                           double tolerance) {
+Propagated propagate_prior(const PriorKnowledge& knowledge, LinearisedFit fitted,
+                           const Observations& observations, double tolerance) {
     const bool is_normal = std::ranges::all_of(knowledge.priors, [](const LengthPrior& prior) {
         return prior.kind == LengthPrior::Kind::normal;
     });
@@ -171,7 +168,7 @@ Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
     const StaticsModel model = fitted.model();
     const Iterate at = fitted.iterate;
     std::optional<Propagated> found =
-        converged_sites(net, knowledge, std::move(fitted), observations, tolerance);
+        converged_sites(knowledge, std::move(fitted), observations, tolerance);
     return found ? *std::move(found)
                  : Propagated{observations, linearised_fit(model, at, observations)};
 }

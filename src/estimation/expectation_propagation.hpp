@@ -22,8 +22,7 @@ struct Propagated {
 /// fit does not converge, the result is the input.
 /// @param observations with the prior that the fit was made with
 /// @param tolerance of gauss_newton() [m]
-[[nodiscard]] Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
-                                         LinearisedFit fitted, const Observations& observations,
-                                         double tolerance);
+[[nodiscard]] Propagated propagate_prior(const PriorKnowledge& knowledge, LinearisedFit fitted,
+                                         const Observations& observations, double tolerance);
 
 }  // namespace taut

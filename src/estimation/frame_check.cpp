@@ -25,8 +25,9 @@ bool FrameCheck::is_scaled() const {
     return scale_std > 0.0 && std::abs(scale) > significant_std * scale_std;
 }
 
-FrameCheck check_frame(const CableNet& net, const LinearisedFit& fitted,
-                       const Observations& observations, double scale) {
+FrameCheck check_frame(const LinearisedFit& fitted, const Observations& observations,
+                       double scale) {
+    const CableNet& net = fitted.model().net();
     const Eigen::Vector3d middle = net.nodes().rowwise().mean();
     const Points arms = net.nodes().colwise() - middle;
     const bool is_frame_given = !fitted.model().common.has_frame();

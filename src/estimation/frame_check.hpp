@@ -11,7 +11,7 @@ namespace taut {
 
 /// Whether a survey fits better if it is moved or scaled as a whole, docs/theory.md (frame-check).
 /// @param scale Hypotheses::residual_scale
-[[nodiscard]] FrameCheck check_frame(const CableNet& net, const LinearisedFit& fitted,
-                                     const Observations& observations, double scale);
+[[nodiscard]] FrameCheck check_frame(const LinearisedFit& fitted, const Observations& observations,
+                                     double scale);
 
 }  // namespace taut

@@ -36,11 +36,11 @@ constexpr double two_nodes_do = 0.10;
 constexpr double improbable = 0.02;
 
 /// d log Z / d log sigma of a normal prior N(0, sigma^2): (prior-evidence).
-double score_of_scale(const CableNet& net, const LinearisedFit& fitted,
-                      const Observations& observations, const std::vector<bool>& left_out) {
+double score_of_scale(const LinearisedFit& fitted, const Observations& observations,
+                      const std::vector<bool>& left_out) {
     const Eigen::VectorXd& variances = fitted.covariance.lengths;
     double score = 0.0;
-    for (int i = 0; i < net.interior_edge_count(); ++i) {
+    for (int i = 0; i < variances.size(); ++i) {
         if (left_out[i] || !(variances(i) > 0.0)) {
             continue;
         }
@@ -64,8 +64,8 @@ Observations scaled_to(double log_std, Observations observations,
 
 /// Log evidence of normal priors at each place of the grid, up to a constant: the integral of the
 /// score. Empty where there is no fit with one of them.
-Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, const CableNet& net,
-                                   LinearisedFit start, const Observations& observations,
+Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, LinearisedFit start,
+                                   const Observations& observations,
                                    const std::vector<bool>& left_out) {
     Eigen::VectorXd evidence = Eigen::VectorXd::Zero(grid.size());
     double before = 0.0;
@@ -73,7 +73,7 @@ Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, const CableNet& 
     for (Eigen::Index k = 0; k < grid.size(); ++k) {
         const Observations scaled = scaled_to(grid(k), observations, left_out);
         fitted = (*std::move(fitted)).stepped(scaled);
-        const double score = fitted ? score_of_scale(net, *fitted, scaled, left_out) : std::nan("");
+        const double score = fitted ? score_of_scale(*fitted, scaled, left_out) : std::nan("");
         if (!std::isfinite(score)) {
             return {};
         }
@@ -158,10 +158,10 @@ std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places
     return nodes;
 }
 
-PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
-                             LinearisedFit fitted, const Observations& observations,
-                             const std::vector<bool>& left_out, const LengthPrior& fit_prior,
-                             const FoundScale& scale, const PriorLikelihood& shapes) {
+PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
+                             const Observations& observations, const std::vector<bool>& left_out,
+                             const LengthPrior& fit_prior, const FoundScale& scale,
+                             const PriorLikelihood& shapes) {
     const double centre = std::log(hyperprior.centre.std());
     double middle = centre;
     double half_width = grid_reach * hyperprior.log_std;
@@ -180,7 +180,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     if (is_found && scale.std < surely_normal) {
         evidence = -0.5 * ((grid.array() - found) / scale.std).square();
     } else {
-        evidence = evidence_by_scores(grid, net, std::move(fitted), observations, left_out);
+        evidence = evidence_by_scores(grid, std::move(fitted), observations, left_out);
     }
     if (evidence.size() == 0) {
         evidence = Eigen::VectorXd::Zero(places);

@@ -40,8 +40,8 @@ struct Hyperprior {
 /// @param fit_prior prior of the fit
 /// @param scale of the lengths, by estimate_components()
 /// @param shapes likelihood of priors by the same fit
-[[nodiscard]] PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
-                                           LinearisedFit fitted, const Observations& observations,
+[[nodiscard]] PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
+                                           const Observations& observations,
                                            const std::vector<bool>& left_out,
                                            const LengthPrior& fit_prior, const FoundScale& scale,
                                            const PriorLikelihood& shapes);

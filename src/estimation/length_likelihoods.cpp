@@ -9,9 +9,12 @@
 
 namespace taut {
 
-std::vector<LengthLikelihood> length_likelihoods(
-    const CableNet& net, const PriorKnowledge& knowledge, const StaticsModel& model,
-    const Covariance& covariance, const Observations& observations, const Iterate& fitted) {
+std::vector<LengthLikelihood> length_likelihoods(const PriorKnowledge& knowledge,
+                                                 const StaticsModel& model,
+                                                 const Covariance& covariance,
+                                                 const Observations& observations,
+                                                 const Iterate& fitted) {
+    const CableNet& net = model.net();
     const Eigen::VectorXd& variances = covariance.lengths;
     const Eigen::VectorXd& extension_variances = covariance.extensions;
     const Eigen::VectorXd prior_variances =

@@ -18,8 +18,10 @@ inline constexpr double surely_taut_extension = 4.0;
 /// docs/theory.md, (likelihood)
 /// @param observations with the prior that the fit was made with
 /// @param covariance of the fit
-[[nodiscard]] std::vector<LengthLikelihood> length_likelihoods(
-    const CableNet& net, const PriorKnowledge& knowledge, const StaticsModel& model,
-    const Covariance& covariance, const Observations& observations, const Iterate& fitted);
+[[nodiscard]] std::vector<LengthLikelihood> length_likelihoods(const PriorKnowledge& knowledge,
+                                                               const StaticsModel& model,
+                                                               const Covariance& covariance,
+                                                               const Observations& observations,
+                                                               const Iterate& fitted);
 
 }  // namespace taut

@@ -80,9 +80,10 @@ Posterior posterior_of_trend(const Eigen::VectorXd& score, const Eigen::MatrixXd
 
 }  // namespace
 
-LengthTrend trend_of(const CableNet& net, const LinearisedFit& fitted,
-                     const Observations& observations, const std::vector<bool>& left_out,
-                     const Eigen::VectorXd& adjustable_stds, const LengthPrior& prior) {
+LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observations,
+                     const std::vector<bool>& left_out, const Eigen::VectorXd& adjustable_stds,
+                     const LengthPrior& prior) {
+    const CableNet& net = fitted.model().net();
     LengthTrend trend;
     if (net.interior_edge_count() > most_edges) {
         return trend;

@@ -33,8 +33,7 @@ struct LengthTrend {
 /// @param left_out interior edges (m_I) of another prior
 /// @param adjustable_stds prior standard deviation of uncertain lengths of adjustable edges, else
 ///   0 (m_I) [m]
-[[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedFit& fitted,
-                                   const Observations& observations,
+[[nodiscard]] LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observations,
                                    const std::vector<bool>& left_out,
                                    const Eigen::VectorXd& adjustable_stds,
                                    const LengthPrior& prior);

@@ -46,9 +46,8 @@ Linearisation Linearisation::under(StaticsModel model) && {
 }
 
 LinearisedFit linearised_fit(const StaticsModel& model, Iterate iterate,
-                             const Observations& observations,
-                             std::optional<Linearisation> before) {
-    std::optional<Linearisation> found = linearise(model, iterate, observations, std::move(before));
+                             const Observations& observations) {
+    std::optional<Linearisation> found = linearise(model, iterate, observations);
     if (!found) {
         throw NumericalError(
             "the statics of the net are singular at this form. Check the net and the prior");

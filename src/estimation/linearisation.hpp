@@ -156,8 +156,7 @@ struct LinearisedFit {
 /// As linearise(), with the covariances.
 /// @throws NumericalError where there is no factor
 [[nodiscard]] LinearisedFit linearised_fit(const StaticsModel& model, Iterate iterate,
-                                           const Observations& observations,
-                                           std::optional<Linearisation> before = std::nullopt);
+                                           const Observations& observations);
 
 /// The blur by the standard deviations of a fit, but no less than half of the model's.
 [[nodiscard]] LawBlur blur_found(const StaticsModel& model, const Covariance& covariance,

@@ -139,20 +139,19 @@ Iterate all_taut(const CableNet& net, const Iterate& fitted) {
 /// Draws one after another, each from its own random numbers.
 class Perturbation {
 public:
-    Perturbation(const CableNet& net, const LinearisedFit& fitted, const Observations& sites,
+    Perturbation(const LinearisedFit& fitted, const Observations& sites,
                  const PriorKnowledge& knowledge, std::uint64_t seed)
-        : m_net(net),
+        : m_net(fitted.model().net()),
           m_model(fitted.model()),
           m_linearisation(fitted.linearisation),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
           m_fitted(fitted.iterate),
           m_refit_model(m_model),
-          m_all_taut(all_taut(net, fitted.iterate)),
+          m_all_taut(all_taut(m_net, fitted.iterate)),
           m_seed(seed) {
-        m_refit_model.slack = knowledge.as_seen(std::vector<bool>(net.edge_count(), false));
-        m_refit_model.corner_width = corner_of_draws * smallest_noise(net, sites);
+        m_refit_model.slack = knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false));
+        m_refit_model.corner_width = corner_of_draws * smallest_noise(m_net, sites);
         m_refit_model.blur = blur_of_fits(m_model.blur);
         m_refit_model.release_tension_laws();
     }
@@ -211,7 +210,6 @@ private:
     const Linearisation& m_linearisation;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
     StaticsModel m_refit_model;  ///< no edge carries pressure
     Iterate m_all_taut;
@@ -298,7 +296,8 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
             const double part = of_stiffness(i) / (m_sites.variance(i) + blur(i));
             const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
-            own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
+            own_stiffness(edge) =
+                -m_model.own_stiffness_stds()(edge) * length / std::sqrt(of_stiffness(i));
             deviation -= length;
         }
         const double nominal = m_net.unstressed_lengths()(edge);
@@ -495,11 +494,10 @@ bool can_be_fitted(const CableNet& net) {
     return net.interior_edge_count() <= most_edges;
 }
 
-PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedFit& fitted,
-                                    const Observations& sites, const PriorKnowledge& knowledge,
-                                    int draws, std::uint64_t seed, bool by_fits,
-                                    const Progress& progress) {
-    return Perturbation(net, fitted, sites, knowledge, seed).run(draws, by_fits, progress);
+PerturbedDraws draw_by_perturbation(const LinearisedFit& fitted, const Observations& sites,
+                                    const PriorKnowledge& knowledge, int draws, std::uint64_t seed,
+                                    bool by_fits, const Progress& progress) {
+    return Perturbation(fitted, sites, knowledge, seed).run(draws, by_fits, progress);
 }
 
 }  // namespace taut

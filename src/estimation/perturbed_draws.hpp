@@ -47,7 +47,7 @@ struct PerturbedDraws {
 /// tensions would be too certain. The result does not depend on the number of threads.
 /// @param sites with the prior that the fit was made with
 /// @throws Interrupted
-[[nodiscard]] PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedFit& fitted,
+[[nodiscard]] PerturbedDraws draw_by_perturbation(const LinearisedFit& fitted,
                                                   const Observations& sites,
                                                   const PriorKnowledge& knowledge, int draws,
                                                   std::uint64_t seed, bool by_fits,

@@ -20,7 +20,6 @@ struct PriorKnowledge {
     std::vector<UncertainParameter> uncertain;
     Forces forces;
     bool frame_is_unknown = false;                   ///< of the survey
-    BoundaryReleases released;                       ///< outliers of the boundary
     std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: none
 
     /// One prior for all lengths, and nothing else.

@@ -182,8 +182,8 @@ LinearisedFit SurveyFit::run() {
     }
     if (!best.fitted.converged) {
         m_model.slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
-        LinearisedFit there = linearised_fit(m_model, best.fitted.iterate, observations(),
-                                             std::move(m_linearisation));
+        m_linearisation.reset();
+        LinearisedFit there = linearised_fit(m_model, best.fitted.iterate, observations());
         m_linearisation = std::move(there.linearisation);
         m_covariance = std::move(there.covariance);
     }
@@ -259,10 +259,9 @@ void SurveyFit::assume(const Hypotheses& hypotheses) {
         Suspect::force, static_cast<int>(m_knowledge.forces.measurements.size()));
     m_knowledge.priors = priors_with_released(hypotheses, m_net, m_priors);
     if (BoundaryReleases released = boundary_releases(hypotheses);
-        m_knowledge.released != released) {
-        m_knowledge.released = std::move(released);
+        m_model.common.released() != released) {
         m_model.common = CommonParameters(m_net, m_knowledge.uncertain,
-                                          m_knowledge.frame_is_unknown, m_knowledge.released);
+                                          m_knowledge.frame_is_unknown, std::move(released));
     }
 }
 
@@ -285,13 +284,11 @@ void SurveyFit::test(Explanation& found, const Mode& mode) const {
             mode.inflation);
     }
     if (mode.boundary != BoundaryTest::none && hypotheses.is_active(Family::boundary)) {
-        test_boundary(hypotheses, m_net,
-                      std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) > 0.0,
-                      *m_linearisation, m_covariance, at, observed);
+        test_boundary(hypotheses, *m_linearisation, m_covariance, at, observed);
     }
     if (!mode.is_rounded && hypotheses.is_active(Family::lengths)) {
         test_lengths(hypotheses, m_net, m_priors,
-                     length_likelihoods(m_net, m_knowledge, m_model, m_covariance, observed, at),
+                     length_likelihoods(m_knowledge, m_model, m_covariance, observed, at),
                      *m_linearisation, observed, at);
     }
 }
@@ -583,7 +580,7 @@ Iterate SurveyFit::with_released(Iterate iterate) const {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
     values.head(common.kept_count()) = iterate.common.head(common.kept_count());
     iterate.common = std::move(values);
-    if (std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) <= 0.0) {
+    if (!m_model.are_supports_uncertain()) {
         const Points motion = common.support_motion(iterate.common);
         for (const int node : m_net.supports()) {
             iterate.form.col(node) = m_net.nodes().col(node) + motion.col(node);

@@ -60,8 +60,7 @@ public:
     [[nodiscard]] std::vector<LengthOutlier> length_outliers() const;
     /// DetectableErrors::length, for these edges.
     [[nodiscard]] double detectable_length(const std::vector<int>& edges) const;
-    /// The knowledge given, with the priors of released edges widened and the released part of the
-    /// boundary.
+    /// The knowledge given, with the priors of released edges widened.
     [[nodiscard]] const PriorKnowledge& knowledge() const { return m_knowledge; }
     /// A step this small changes nothing that the survey could show [m].
     [[nodiscard]] double tolerance() const { return m_tolerance; }

@@ -34,10 +34,9 @@ struct Group {
     }
 };
 
-Group noise_group(const CableNet& net, const LinearisedFit& fitted,
-                  const Observations& observations) {
+Group noise_group(const LinearisedFit& fitted, const Observations& observations) {
     Group group;
-    for (const int node : net.free_nodes()) {
+    for (const int node : fitted.model().net().free_nodes()) {
         if (observations.weights.col(node).maxCoeff() <= 0.0) {
             continue;
         }
@@ -51,11 +50,12 @@ Group noise_group(const CableNet& net, const LinearisedFit& fitted,
 }
 
 /// Of the taut edges: a slack one does not show its length.
-Group length_group(const CableNet& net, const LinearisedFit& fitted,
-                   const Observations& observations, const std::vector<bool>& left_out) {
+Group length_group(const LinearisedFit& fitted, const Observations& observations,
+                   const std::vector<bool>& left_out) {
     Group group;
+    const CableNet& net = fitted.model().net();
     const Eigen::VectorXd& variances = fitted.covariance.lengths;
-    for (int i = 0; i < net.interior_edge_count(); ++i) {
+    for (int i = 0; i < variances.size(); ++i) {
         const double prior = observations.variance(i);
         if (left_out[i] || fitted.model().slack[net.interior_edges()[i]] || !(variances(i) > 0.0)) {
             continue;
@@ -69,14 +69,13 @@ Group length_group(const CableNet& net, const LinearisedFit& fitted,
 
 }  // namespace
 
-VarianceComponents estimate_components(const CableNet& net, LinearisedFit& fitted,
-                                       Observations& observations,
+VarianceComponents estimate_components(LinearisedFit& fitted, Observations& observations,
                                        const std::vector<bool>& left_out) {
     VarianceComponents result;
     const StaticsModel model = fitted.model();
     for (int round = 0; round < most_scalings; ++round) {
-        const Group noise = noise_group(net, fitted, observations);
-        const Group lengths = length_group(net, fitted, observations, left_out);
+        const Group noise = noise_group(fitted, observations);
+        const Group lengths = length_group(fitted, observations, left_out);
         if (round == 0) {
             result.noise.std = noise.ratio_std();
             result.lengths.std = lengths.ratio_std();
@@ -90,10 +89,10 @@ VarianceComponents estimate_components(const CableNet& net, LinearisedFit& fitte
             break;
         }
         const Observations before = observations;
-        for (int node = 0; node < net.node_count(); ++node) {
+        for (int node = 0; node < model.net().node_count(); ++node) {
             observations.scale_weight(node, 1.0 / (noise_scaling * noise_scaling));
         }
-        for (int i = 0; i < net.interior_edge_count(); ++i) {
+        for (int i = 0; i < observations.variance.size(); ++i) {
             observations.variance(i) *= left_out[i] ? 1.0 : length_scaling * length_scaling;
         }
         const Iterate at = fitted.iterate;

@@ -16,7 +16,7 @@ namespace taut {
 /// @param fitted on return the fit to the scales found
 /// @param observations of the fit; on return with these
 /// @param left_out interior edges (m_I) of another prior
-[[nodiscard]] VarianceComponents estimate_components(const CableNet& net, LinearisedFit& fitted,
+[[nodiscard]] VarianceComponents estimate_components(LinearisedFit& fitted,
                                                      Observations& observations,
                                                      const std::vector<bool>& left_out);
 

@@ -170,8 +170,8 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         return;
     }
     const auto draw = [&](bool by_fits) {
-        return draw_by_perturbation(fit_net, fitted, sites, knowledge, settings.count,
-                                    settings.seed, by_fits, progress);
+        return draw_by_perturbation(fitted, sites, knowledge, settings.count, settings.seed,
+                                    by_fits, progress);
     };
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
     const auto interior = [&](const Eigen::MatrixXd& deviations) -> Eigen::MatrixXd {

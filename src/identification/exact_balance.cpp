@@ -131,8 +131,7 @@ private:
         Observations observations = observe(m_net, m_survey, m_noise, m_none_rejected, length_std);
         observations.mean = m_balanced.deviations;
         const LinearisedFit fit = linearised_fit(m_model, m_balanced, observations);
-        return length_likelihoods(m_net, m_knowledge, m_model, fit.covariance, observations,
-                                  m_balanced);
+        return length_likelihoods(m_knowledge, m_model, fit.covariance, observations, m_balanced);
     }
 
     const CableNet& m_net;

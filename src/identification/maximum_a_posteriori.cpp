@@ -150,7 +150,7 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     const std::vector<bool> slack = fitted.model().slack;
     const Observations observed = fit.observations();
     Observations scaled = observed;
-    shown.frame = check_frame(fit_net, fitted, observed, fit.hypotheses().residual_scale);
+    shown.frame = check_frame(fitted, observed, fit.hypotheses().residual_scale);
     std::vector<bool> left_out = fit.hypotheses().released_lengths();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
@@ -161,9 +161,9 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
         }
         left_out[i] = left_out[i] || slack[edge] || fit.knowledge().priors[i] != prior;
     }
-    shown.scales = estimate_components(fit_net, fitted, scaled, left_out);
+    shown.scales = estimate_components(fitted, scaled, left_out);
     const PriorLikelihood likelihood(prior,
-                                     length_likelihoods(fit_net, fit.knowledge(), fitted.model(),
+                                     length_likelihoods(fit.knowledge(), fitted.model(),
                                                         fitted.covariance, scaled, fitted.iterate),
                                      left_out);
     shown.prior = check_prior_by_lengths(prior, likelihood);
@@ -171,8 +171,8 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     set_mean(shown.prior, fitted, scaled, left_out);
     if (given.hyperprior) {
         fitted.iterate = at;
-        shown.estimate = estimate_prior(*given.hyperprior, fit_net, std::move(fitted), observed,
-                                        left_out, prior, shown.scales.lengths, likelihood);
+        shown.estimate = estimate_prior(*given.hyperprior, std::move(fitted), observed, left_out,
+                                        prior, shown.scales.lengths, likelihood);
     }
     shown.left_out = std::move(left_out);
     return shown;
@@ -379,7 +379,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     }
     if (fit.converged()) {
         Propagated propagated =
-            propagate_prior(fit_net, knowledge, std::move(fitted), observations, fit.tolerance());
+            propagate_prior(knowledge, std::move(fitted), observations, fit.tolerance());
         fitted = std::move(propagated.fit);
         observations = std::move(propagated.observations);
     }
@@ -389,10 +389,10 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     result.force_outliers = fit.force_outliers();
     result.force_bias = force_bias(fit.hypotheses());
     result.prior = shown.estimate.value_or(exact_prior(given.prior));
-    const LengthTrend trend = given.has_trend && fit.converged()
-                                  ? trend_of(fit_net, fitted, observations, shown.left_out,
-                                             shown.adjustable_stds, given.prior)
-                                  : LengthTrend();
+    const LengthTrend trend =
+        given.has_trend && fit.converged()
+            ? trend_of(fitted, observations, shown.left_out, shown.adjustable_stds, given.prior)
+            : LengthTrend();
     result.prior.common = trend.found;
     if (fit.converged()) {
         result.detectable = detectable_of(net, survey, fit, shown);
@@ -458,7 +458,7 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
     }
     set_snooping(result, survey, fit.hypotheses(), fit.outliers(), fit.contradicts_too_many());
     std::vector<LengthLikelihood> likelihoods =
-        length_likelihoods(fit_net, knowledge, fitted.model(), fitted.covariance, observations,
+        length_likelihoods(knowledge, fitted.model(), fitted.covariance, observations,
                            fitted.iterate);  // (covariance), (likelihood), (posterior)
     if (fit_net.interior_edge_count() > net.interior_edge_count()) {
         std::vector<LengthLikelihood> interior;
