@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/linearised_statics.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "numerics/parallel.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -701,7 +700,7 @@ Eigen::MatrixXd LinearisedStatics::evidence_covariance(int common_count) const {
     const std::vector<int>& edges = m_net.interior_edges();
     const auto lengths = static_cast<int>(std::ssize(edges));
     Eigen::MatrixXd result(lengths + common_count, lengths + common_count);
-    tbb::parallel_for(0, lengths + common_count, [&](int k) {
+    parallel_for(0, lengths + common_count, [&](int k) {
         BorderedFactor::Vector unit = empty_vector();
         (k < lengths ? unit.inner.lengths(edges[k]) : unit.border(k - lengths)) = 1.0;
         const BorderedFactor::Vector column = m_matrix.solve(unit);
@@ -715,7 +714,7 @@ Eigen::MatrixXd LinearisedStatics::evidence_covariance(int common_count) const {
 Eigen::MatrixXd LinearisedStatics::length_covariance(const std::vector<int>& edges) const {
     const auto count = std::ssize(edges);
     Eigen::MatrixXd result(count, count);
-    tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
+    parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
         BorderedFactor::Vector unit = empty_vector();
         unit.inner.lengths(edges[k]) = 1.0;
         result.col(k) = m_length_unit * m_length_unit * m_matrix.solve(unit).inner.lengths(edges);
@@ -728,7 +727,7 @@ LinearisedStatics::LengthResponse LinearisedStatics::response_to_lengths(
     const std::vector<int>& edges = m_net.interior_edges();
     LengthResponse result{.lengths = Eigen::MatrixXd(weights.rows(), weights.cols()),
                           .common = Eigen::MatrixXd(m_common.count(), weights.cols())};
-    tbb::parallel_for(Eigen::Index{0}, weights.cols(), [&](Eigen::Index k) {
+    parallel_for(Eigen::Index{0}, weights.cols(), [&](Eigen::Index k) {
         BorderedFactor::Vector sum = empty_vector();
         sum.inner.lengths(edges) = weights.col(k);
         const BorderedFactor::Vector varied = m_matrix.solve(sum);
