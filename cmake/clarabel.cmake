@@ -33,16 +33,21 @@ if(TAUT_HAS_CLARABEL)
     set(library ${PROJECT_BINARY_DIR}/clarabel_c/libclarabel_c.a)
     # Builds that differ in nothing that Rust sees can share this folder.
     set(TAUT_CARGO_FOLDER ${PROJECT_BINARY_DIR}/clarabel_c CACHE PATH "Where cargo builds Clarabel")
+    set(TAUT_CARGO_TARGET "" CACHE STRING "Target that cargo builds Clarabel for; empty: this machine")
+    set(target)
+    if(TAUT_CARGO_TARGET)
+        set(target --target ${TAUT_CARGO_TARGET})
+    endif()
     add_custom_command(OUTPUT ${library}
         COMMAND ${TAUT_CARGO} build --release --locked --quiet
-            --manifest-path ${crate}/Cargo.toml --target-dir ${TAUT_CARGO_FOLDER}
-        COMMAND ${CMAKE_COMMAND} -E copy ${TAUT_CARGO_FOLDER}/release/libclarabel_c.a ${library}
+            --manifest-path ${crate}/Cargo.toml --target-dir ${TAUT_CARGO_FOLDER} ${target}
+        COMMAND ${CMAKE_COMMAND} -E copy ${TAUT_CARGO_FOLDER}/${TAUT_CARGO_TARGET}/release/libclarabel_c.a ${library}
         DEPENDS ${crate}/Cargo.toml ${crate}/Cargo.lock ${crate}/src/lib.rs
         COMMENT "Building the conic solver Clarabel with cargo")
     add_custom_target(taut_clarabel_c DEPENDS ${library})
     # Rust compiles its own symbols to be seen: the linker is told not to pass them on.
     set(TAUT_HIDE_CLARABEL)
-    if(NOT APPLE)
+    if(NOT APPLE AND NOT TAUT_CARGO_TARGET)
         set(TAUT_HIDE_CLARABEL LINKER:--exclude-libs,libclarabel_c.a)
     endif()
     add_library(taut::clarabel_c STATIC IMPORTED GLOBAL)

@@ -14,7 +14,7 @@ if(TAUT_BUILD_VIEWER)
     file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer_dir}/src/*.ts)
     # Types, which type checks make from the schema: they are not in the bundle.
     list(FILTER viewer_sources EXCLUDE REGEX result_schema)
-    foreach(file build.mjs licences.mjs page.html style.css package.json)
+    foreach(file build.mjs bundle.mjs licences.mjs page.html style.css package.json)
         list(APPEND viewer_sources ${viewer_dir}/${file})
     endforeach()
     list(APPEND viewer_sources ${PROJECT_SOURCE_DIR}/LICENSE)

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/venv.sh uv
-for name in uv build lint docs test; do
+for name in uv app build lint docs test; do
     options=(--quiet --upgrade --universal --python-version 3.11 --no-annotate --no-header)
     [[ "$name" =~ ^(docs|test)$ ]] || options+=(--generate-hashes)
     sources=("scripts/requirements/$name.in")

@@ -4,7 +4,7 @@
 #
 # Makes the Python environment build/venv/NAME out of scripts/requirements/NAME.txt, unless it is there
 # with these versions. uv reads UV_DEFAULT_INDEX and not pip's settings: PIP_INDEX_URL is handed on.
-# Usage: scripts/venv.sh build|docs|lint|test|uv
+# Usage: scripts/venv.sh app|build|docs|lint|test|uv
 set -euo pipefail
 cd "$(dirname "$0")/.."
 name="$1"

@@ -3,11 +3,10 @@
 #include "taut/threads.hpp"
 
 #include <fmt/core.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <stdexcept>
+
+#include "numerics/parallel.hpp"
 
 namespace taut {
 
@@ -15,8 +14,11 @@ void with_threads(int threads, const std::function<void()>& work) {
     if (threads < 1) {
         throw std::invalid_argument(fmt::format("{} threads, expected at least 1", threads));
     }
-    // An arena allocates memory for each thread, and oneTBB fails for very large numbers.
-    tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
+    limit_threads(threads, work);
+}
+
+int max_threads() {
+    return arena_size();
 }
 
 }  // namespace taut

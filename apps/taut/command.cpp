@@ -3,7 +3,6 @@
 #include "command.hpp"
 
 #include <fmt/core.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <charconv>
@@ -59,7 +58,7 @@ void run_within(const CommonOptions& options, const std::function<void()>& work)
     require_same_arguments();
     const auto within = [&] {
         if (!options.memory.empty()) {
-            limit_memory(options.memory, tbb::this_task_arena::max_concurrency());
+            limit_memory(options.memory, max_threads());
         }
         work();
     };

@@ -556,7 +556,13 @@ void run(const Options& options) {
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     if (!options.output.empty()) {
         if (result.draws) {
-            files.emplace_back(options.draws_file(), draws_bytes(net, result));
+            if (keeps_draws()) {
+                files.emplace_back(options.draws_file(), draws_bytes(net, result));
+            } else {
+                print_message(
+                    "note",
+                    "the posterior samples are not kept, as this taut was built without HDF5");
+            }
         }
         files.emplace_back(options.output, document);
     }

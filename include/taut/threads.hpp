@@ -13,7 +13,8 @@ namespace taut {
 
 /// Does the work with at most this number of threads in taut, the calling one included, and returns
 /// when it is done. Other threads of the process and later calls are not limited. Inside a oneTBB
-/// task arena of the caller, taut uses the threads of that arena, without this function.
+/// task arena of the caller, taut uses the threads of that arena, without this function. A taut
+/// that was built without oneTBB takes the calling thread alone.
 /// @param threads at least 1; more than the machine has mean all of them
 /// @param work called once, in the calling thread; may not be empty
 /// @throws std::invalid_argument for fewer than 1; std::bad_function_call for empty work; and what
@@ -32,5 +33,8 @@ template <class Work>
     with_threads(threads, std::function<void()>([&] { result.emplace(work()); }));
     return *std::move(result);
 }
+
+/// Threads that taut takes at most where this is called: 1 where it was built without oneTBB.
+[[nodiscard]] TAUT_CORE_EXPORT int max_threads();
 
 }  // namespace taut

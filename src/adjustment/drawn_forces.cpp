@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "adjustment/drawn_forces.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
 
 namespace taut {
@@ -57,7 +55,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
     }
     result.forms.resize(Eigen::Index{3} * built.net.free_node_count(), count);
     result.unbalanced.assign(static_cast<size_t>(count), 0);
-    tbb::enumerable_thread_specific<std::vector<StrokeResponse>> workspaces([&] {
+    PerThread<std::vector<StrokeResponse>> workspaces([&] {
         std::vector<StrokeResponse> copies;
         copies.reserve(responses.size());
         for (const LimitedResponse& limited : responses) {
@@ -65,7 +63,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
         }
         return copies;
     });
-    tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
+    parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
         const Eigen::VectorXd strokes = strokes_with_errors(state.strokes, actuator_std, seed, d);
         std::vector<StrokeResponse>& local = workspaces.local();
         for (size_t i = 0; i < local.size(); ++i) {

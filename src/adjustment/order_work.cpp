@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "adjustment/order_work.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +11,7 @@
 
 #include "adjustment/drawn_forces.hpp"
 #include "adjustment/force_ranges.hpp"
+#include "numerics/parallel.hpp"
 
 namespace taut {
 namespace {
@@ -150,12 +148,11 @@ DrawnWork OrderWork::drawn(
         const auto& [strokes, forces] = states[static_cast<size_t>(i)];
         predicted.col(i) = predicted_excess(strokes, forces, -prediction_error * m_unit);
     }
-    tbb::enumerable_thread_specific<StrokeResponse> workspaces(
-        [&] { return m_response.front().response.fresh(); });
+    PerThread<StrokeResponse> workspaces([&] { return m_response.front().response.fresh(); });
     using Break = std::tuple<int, Eigen::Index, bool>;  // step, force, whether it is too small
     std::vector<std::vector<Break>> breaks(static_cast<size_t>(draws()));
     std::vector<char> has_no_form = m_has_no_form;  // their forces are not predicted
-    tbb::parallel_for(Eigen::Index{0}, draws(), [&](Eigen::Index d) {
+    parallel_for(Eigen::Index{0}, draws(), [&](Eigen::Index d) {
         DrawnResponse response(*m_built, d, workspaces.local());
         // A stroke that is done in part has that part of its error.
         const Eigen::VectorXd whole =

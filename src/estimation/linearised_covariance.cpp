@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include <tbb/parallel_for.h>
-
 #include <utility>
 
 #include "estimation/linearisation.hpp"
+#include "numerics/parallel.hpp"
 
 namespace taut {
+
 Covariance Linearisation::covariance() const {
     const StaticsNumbering& numbers = m_model->numbering();
     const CommonParameters& common = m_model->common;
@@ -74,7 +74,7 @@ Eigen::MatrixXd Linearisation::evidence_covariance(int common_count) const {
     const std::vector<int>& edges = m_model->net().interior_edges();
     const auto lengths = static_cast<int>(std::ssize(edges));
     Eigen::MatrixXd result(lengths + common_count, lengths + common_count);
-    tbb::parallel_for(0, lengths + common_count, [&](int k) {
+    parallel_for(0, lengths + common_count, [&](int k) {
         BorderedFactor::Vector unit = empty_vector();
         (k < lengths ? unit.inner.lengths(edges[k]) : unit.border(k - lengths)) = 1.0;
         const BorderedFactor::Vector column = m_matrix->solve(unit);
@@ -88,7 +88,7 @@ Eigen::MatrixXd Linearisation::evidence_covariance(int common_count) const {
 Eigen::MatrixXd Linearisation::length_covariance(const std::vector<int>& edges) const {
     const auto count = std::ssize(edges);
     Eigen::MatrixXd result(count, count);
-    tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
+    parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
         BorderedFactor::Vector unit = empty_vector();
         unit.inner.lengths(edges[k]) = 1.0;
         result.col(k) = m_length_unit * m_length_unit * m_matrix->solve(unit).inner.lengths(edges);
@@ -102,7 +102,7 @@ Linearisation::LengthResponse Linearisation::response_to_lengths(
     const int common_count = m_model->common.count();
     LengthResponse result{.lengths = Eigen::MatrixXd(weights.rows(), weights.cols()),
                           .common = Eigen::MatrixXd(common_count, weights.cols())};
-    tbb::parallel_for(Eigen::Index{0}, weights.cols(), [&](Eigen::Index k) {
+    parallel_for(Eigen::Index{0}, weights.cols(), [&](Eigen::Index k) {
         BorderedFactor::Vector sum = empty_vector();
         sum.inner.lengths(edges) = weights.col(k);
         const BorderedFactor::Vector varied = m_matrix->solve(sum);

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/perturbed_draws.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +11,7 @@
 #include <vector>
 
 #include "estimation/feasible_descent.hpp"
+#include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -426,13 +423,13 @@ void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count,
                              const Progress& progress) const {
     const auto first = static_cast<int>(draws.size());
     draws.resize(count);
-    tbb::enumerable_thread_specific<Workspace> workspaces([this] { return Workspace(m_net); });
-    tbb::parallel_for(first, count, [&](int k) {
+    PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
+    parallel_for(first, count, [&](int k) {
         if (progress.stopped()) {
             throw Interrupted();
         }
         // Isolated, so that a waiting thread starts no other draw with the same workspace.
-        tbb::this_task_arena::isolate([&] { draws[k] = draw(k, refit_all, workspaces.local()); });
+        isolate([&] { draws[k] = draw(k, refit_all, workspaces.local()); });
     });
 }
 

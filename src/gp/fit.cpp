@@ -3,7 +3,6 @@
 #include "taut/gp/fit.hpp"
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "gp/lambda_search.hpp"
 #include "gp/low_rank_search.hpp"
 #include "gp/low_rank_spectrum.hpp"
+#include "numerics/parallel.hpp"
 #include "taut/gp/kernel.hpp"
 
 namespace taut::gp {
@@ -162,9 +162,8 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     for (auto& [log_lambda, spectrum] : found.spectra) {
         result.spectra.push_back(std::move(spectrum));
     }
-    tbb::parallel_for(size_t{0}, members.size(), [&](size_t s) {
-        condition(result, s, found.best, to_fit, members[s], progress);
-    });
+    parallel_for(size_t{0}, members.size(),
+                 [&](size_t s) { condition(result, s, found.best, to_fit, members[s], progress); });
     return result;
 }
 

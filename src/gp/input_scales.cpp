@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <iterator>
 #include <limits>
-#include <nlopt.hpp>
 #include <stdexcept>
 
 #include "gp/inputs_check.hpp"
+#include "gp/minimise.hpp"
 #include "numerics/dense.hpp"
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/likelihood.hpp"
@@ -64,7 +63,6 @@ struct Problem {
     double best_value = std::numeric_limits<double>::infinity();
     const Progress& progress;
     int evaluations = 0;
-    std::exception_ptr failure;
 };
 
 Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
@@ -82,8 +80,7 @@ Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
             .outputs = outputs.topRows(n)(Eigen::all, usable),
             .groups = groups,
             .best_log_scales = {},
-            .progress = progress,
-            .failure = {}};
+            .progress = progress};
 }
 
 ScalesLikelihood evaluate(Problem& problem, const Eigen::VectorXd& log_scales) {
@@ -93,27 +90,18 @@ ScalesLikelihood evaluate(Problem& problem, const Eigen::VectorXd& log_scales) {
     return scales_likelihood(problem.inputs, problem.outputs, problem.groups, log_scales);
 }
 
-/// The objective for NLopt. It passes few kinds of exceptions on, so a failure is kept in Problem.
-double objective(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
-    auto& problem = *static_cast<Problem*>(data);
-    if (problem.failure) {  // its line search does not end at once
-        throw nlopt::forced_stop();
+/// The objective of the search, which keeps the best.
+double objective(Problem& problem, const std::vector<double>& x, std::vector<double>& gradient) {
+    const ScalesLikelihood at =
+        evaluate(problem, Eigen::VectorXd::Map(x.data(), static_cast<Eigen::Index>(x.size())));
+    if (!gradient.empty()) {
+        Eigen::VectorXd::Map(gradient.data(), at.gradient.size()) = at.gradient;
     }
-    try {
-        const ScalesLikelihood at =
-            evaluate(problem, Eigen::VectorXd::Map(x.data(), static_cast<Eigen::Index>(x.size())));
-        if (!gradient.empty()) {
-            Eigen::VectorXd::Map(gradient.data(), at.gradient.size()) = at.gradient;
-        }
-        if (at.value < problem.best_value) {
-            problem.best_value = at.value;
-            problem.best_log_scales = x;
-        }
-        return at.value;
-    } catch (...) {
-        problem.failure = std::current_exception();
-        throw nlopt::forced_stop();
+    if (at.value < problem.best_value) {
+        problem.best_value = at.value;
+        problem.best_log_scales = x;
     }
+    return at.value;
 }
 
 /// One scale for all: the best of a few, from that of a nearly linear kernel to a rough one.
@@ -198,21 +186,11 @@ Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& i
     const double start = best_common_scale(problem, count);
     const std::vector<double> first(count, start);
     problem.best_log_scales = first;
-    nlopt::opt optimizer(nlopt::LD_LBFGS, static_cast<unsigned>(count));
-    optimizer.set_min_objective(objective, &problem);
-    optimizer.set_lower_bounds(start - std::log(widest_factor));
-    optimizer.set_upper_bounds(start + std::log(widest_factor));
-    optimizer.set_ftol_rel(relative_tolerance);
-    optimizer.set_maxeval(most_evaluations);
-    try {
-        (void)optimizer.optimize(first);
-    } catch (const std::runtime_error&) {
-        // Unless the objective failed, the line search found nothing lower: it is at the minimum up
-        // to rounding.
-        if (problem.failure) {
-            std::rethrow_exception(problem.failure);
-        }
-    }
+    minimise([&](const auto& x, auto& gradient) { return objective(problem, x, gradient); }, first,
+             {.lower = start - std::log(widest_factor),
+              .upper = start + std::log(widest_factor),
+              .relative_tolerance = relative_tolerance,
+              .most_evaluations = most_evaluations});
     const Eigen::VectorXd found = Eigen::VectorXd::Map(problem.best_log_scales.data(), count);
     Eigen::VectorXd result = scales_of(groups, found);
     return result / std::exp(result.array().log().mean());

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "taut/gp/kernel.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include "numerics/dense.hpp"
+#include "numerics/parallel.hpp"
 
 namespace taut::gp {
 
@@ -24,7 +23,7 @@ Eigen::MatrixXd squared_distances(const Eigen::Ref<const Eigen::MatrixXd>& x) {
     const Eigen::MatrixXd a = x.colwise() - x.rowwise().mean();
     Eigen::MatrixXd distances = gram(a);
     const Eigen::VectorXd squares = distances.diagonal();
-    tbb::parallel_for(Eigen::Index{0}, distances.cols(), [&](Eigen::Index j) {
+    parallel_for(Eigen::Index{0}, distances.cols(), [&](Eigen::Index j) {
         auto column = distances.col(j).array();
         column = (squares.array() + squares(j) - 2.0 * column).max(0.0);
     });
@@ -35,7 +34,7 @@ Eigen::MatrixXd correlation(const Eigen::Ref<const Eigen::MatrixXd>& squared_dis
                             double inverse_length_scale) {
     const double factor = -0.5 * inverse_length_scale * inverse_length_scale;
     Eigen::MatrixXd result(squared_distances.rows(), squared_distances.cols());
-    tbb::parallel_for(Eigen::Index{0}, result.cols(), [&](Eigen::Index j) {
+    parallel_for(Eigen::Index{0}, result.cols(), [&](Eigen::Index j) {
         result.col(j) = (factor * squared_distances.col(j).array()).exp();
     });
     return result;

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "gp/lambda_search.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "gp/length_scale_search.hpp"
+#include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 
 namespace taut::gp {
@@ -70,7 +69,7 @@ FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
         const bool is_last = made == settings.max_spectra;  // no slope will be asked for
         const std::vector<size_t> mine = share_of(looks.size());
         std::vector<Seen> seen(mine.size());
-        tbb::parallel_for(size_t{0}, seen.size(), [&](size_t i) {
+        parallel_for(size_t{0}, seen.size(), [&](size_t i) {
             const LengthScaleSearch::Look& look = looks[mine[i]];
             seen[i].spectrum = kernel_spectrum(squared_distances, std::exp(look.log_lambda));
             seen[i].profile = profile_likelihood(

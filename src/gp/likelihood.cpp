@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "taut/gp/likelihood.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <numbers>
 
 #include "numerics/dense.hpp"
+#include "numerics/parallel.hpp"
 
 namespace taut::gp {
 namespace {
@@ -153,7 +152,7 @@ Eigen::MatrixXd correlation_rate(const Eigen::Ref<const Eigen::MatrixXd>& square
     const double square = inverse_length_scale * inverse_length_scale;
     const Eigen::Index n = squared_distances.rows();
     Eigen::MatrixXd rate(n, n);
-    tbb::parallel_for(Eigen::Index{0}, n, [&](Eigen::Index j) {
+    parallel_for(Eigen::Index{0}, n, [&](Eigen::Index j) {
         const auto scaled = square * squared_distances.col(j).tail(n - j).array();
         rate.col(j).tail(n - j) = -scaled * (-0.5 * scaled).exp();
     });
@@ -170,7 +169,7 @@ Eigen::VectorXd profile_slope(const KernelSpectrum& spectrum,
     const Eigen::MatrixXd rate = correlation_rate(squared_distances, spectrum.inverse_length_scale);
     const Eigen::VectorXd rate_diagonal = quadratic_forms(rate, basis);  // of Q' dR Q
     Eigen::VectorXd slope(z.cols());
-    tbb::parallel_for(Eigen::Index{0}, z.cols(), [&](Eigen::Index j) {
+    parallel_for(Eigen::Index{0}, z.cols(), [&](Eigen::Index j) {
         const Eigen::ArrayXd shifted = spectrum.eigenvalues.array() + profile.noise_ratio(j);
         slope(j) = 0.5 * (rate_diagonal.array() / shifted).sum();
         z.col(j).array() /= shifted;
@@ -227,7 +226,7 @@ LikelihoodProfile profile_likelihood(const KernelSpectrum& spectrum,
                               .slope = {},
                               .noise_ratio = Eigen::VectorXd(m),
                               .signal_variance = Eigen::VectorXd(m)};
-    tbb::parallel_for(Eigen::Index{0}, m, [&](Eigen::Index j) {
+    parallel_for(Eigen::Index{0}, m, [&](Eigen::Index j) {
         const double ratio = best_noise_ratio(d, squared_z.col(j), scan, scan.values.col(j));
         profile.noise_ratio(j) = ratio;
         profile.signal_variance(j) = best_signal_variance(d, squared_z.col(j), ratio);

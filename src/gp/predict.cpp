@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <limits>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include "gp/gradient_weights.hpp"
 #include "gp/inputs_check.hpp"
 #include "numerics/dense.hpp"
+#include "numerics/parallel.hpp"
 #include "taut/gp/fit.hpp"
 
 namespace taut::gp {
@@ -109,8 +109,8 @@ Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at)
     Prediction result{.mean = Eigen::MatrixXd::Zero(m, at.cols()),
                       .std = Eigen::MatrixXd::Zero(m, at.cols())};
     const Eigen::MatrixXd distances = squared_distances(inputs, at);
-    tbb::parallel_for(size_t{0}, spectra.size(),
-                      [&](size_t s) { predict_with_spectrum(*this, s, distances, result); });
+    parallel_for(size_t{0}, spectra.size(),
+                 [&](size_t s) { predict_with_spectrum(*this, s, distances, result); });
     return result;
 }
 

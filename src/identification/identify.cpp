@@ -3,7 +3,6 @@
 #include "taut/identification/identify.hpp"
 
 #include <fmt/core.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +20,7 @@
 #include "identification/mean_bias.hpp"
 #include "identification/prior_mixture.hpp"
 #include "identification/processes.hpp"
+#include "numerics/parallel.hpp"
 #include "platform/platform.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/sampling/sampler.hpp"
@@ -295,8 +295,8 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
     // In parallel, since few surveys turn out to be off their frame.
     std::optional<Identification> fit;
     Identification result;
-    tbb::parallel_invoke([&] { fit = audit(net, survey, prior, options.uncertain, progress); },
-                         [&] { result = by_method(survey); });
+    parallel_invoke([&] { fit = audit(net, survey, prior, options.uncertain, progress); },
+                    [&] { result = by_method(survey); });
     result.prior = exact_prior(prior.prior);
     if (fit) {
         if (fit->frame_offset) {

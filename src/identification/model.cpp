@@ -3,7 +3,6 @@
 #include "taut/identification/model.hpp"
 
 #include <fmt/core.h>
-#include <tbb/parallel_invoke.h>
 
 #include <map>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
 #include "numerics/fnv1a.hpp"
+#include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 #include "taut/gp/input_scales.hpp"
 
@@ -158,7 +158,7 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
     const bool keeps_prior = !settings.as_in_paper && keeps_form_prior(net);
     gp::FittedProcesses processes;
     FormPrior form_prior;
-    tbb::parallel_invoke(
+    parallel_invoke(
         [&] {
             processes =
                 gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit, progress);

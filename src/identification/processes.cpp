@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "identification/processes.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,6 +12,7 @@
 #include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "numerics/dense.hpp"
+#include "numerics/parallel.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -24,7 +23,7 @@ namespace {
 /// coordinates.
 Eigen::MatrixXd along_directions(const FormPrior& prior, const EdgeGradient& gradient) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(prior.directions.rows(), gradient.rows());
-    tbb::parallel_for(Eigen::Index{0}, gradient.rows(), [&](Eigen::Index edge) {
+    parallel_for(Eigen::Index{0}, gradient.rows(), [&](Eigen::Index edge) {
         for (EdgeGradient::InnerIterator at(gradient, edge); at; ++at) {
             result.col(edge) += at.value() * prior.directions.col(at.col());
         }

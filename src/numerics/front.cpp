@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "numerics/products.hpp"
+#include "numerics/blas.hpp"
 
 namespace taut {
 namespace {
@@ -37,26 +37,6 @@ void subtract_from_columns(const ConstMatrixPart& A, const ConstMatrixPart& B, d
         multiply(-1.0, A.bottomRows(A.rows() - n), Op::as_it_is, B, Op::transposed, beta,
                  C.bottomRows(C.rows() - n));
     }
-}
-
-/// L of L L' = A in place of its lower triangle.
-bool take_root(MatrixPart A) {
-    const auto n = static_cast<int>(A.rows());
-    const auto stride = static_cast<int>(A.outerStride());
-    int info = 0;
-    dpotrf_("L", &n, A.data(), &stride, &info, 1);
-    return info == 0;
-}
-
-/// A becomes A L^-T.
-void divide_by_transposed(const ConstMatrixPart& L, MatrixPart A) {
-    const auto rows = static_cast<int>(A.rows());
-    const auto columns = static_cast<int>(A.cols());
-    const auto stride = static_cast<int>(A.outerStride());
-    const auto stride_of_L = static_cast<int>(L.outerStride());
-    const double one = 1.0;
-    dtrsm_("R", "L", "T", "N", &rows, &columns, &one, L.data(), &stride_of_L, A.data(), &stride, 1,
-           1, 1, 1);
 }
 
 /// The inverse of a symmetric matrix in place of its lower triangle: both triangles.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Core>
 #include <algorithm>
+
+#include "numerics/parallel.hpp"
 
 namespace taut {
 
@@ -25,7 +25,7 @@ void by_parts(Parts parts, Eigen::Index first, Eigen::Index end, const Function&
         return;
     }
     const Eigen::Index count = (end - first + part_size - 1) / part_size;
-    tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index k) { part(first + k * part_size); });
+    parallel_for(Eigen::Index{0}, count, [&](Eigen::Index k) { part(first + k * part_size); });
 }
 
 }  // namespace taut

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/serial_blas.hpp"
 
-#include <oneapi/tbb/task_arena.h>
-
 #include <mutex>
 #include <new>
 
+#include "numerics/parallel.hpp"
 #include "platform/platform.hpp"
 
 // The BLAS that CMake found: cmake/dependencies.cmake.
@@ -27,7 +26,7 @@ namespace {
 /// OpenBLAS allocates a buffer for each thread that calls it, and retries for ever if it gets none.
 bool has_room_for_buffers() {
     constexpr double buffer = 128.0 * 1024.0 * 1024.0;  // bytes, of builds for x86-64
-    return platform::can_map(buffer * oneapi::tbb::this_task_arena::max_concurrency());
+    return platform::can_map(buffer * arena_size());
 }
 
 std::mutex mutex;

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/supernodal_factor.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <numeric>
 #include <utility>
 
+#include "numerics/blas.hpp"
 #include "numerics/extend_add.hpp"
-#include "numerics/products.hpp"
+#include "numerics/parallel.hpp"
 #include "numerics/serial_blas.hpp"
 
 namespace taut {
@@ -210,8 +208,8 @@ bool SupernodalFactor::factorize(const Assembly& assemble) {
     const SerialBlas serial;
     std::atomic<bool> is_regular = true;
     // Isolated: a thread that waits here must not start other work that uses the same memory.
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(0, static_cast<int>(m_branches.size()), [&](int branch) {
+    isolate([&] {
+        parallel_for(0, static_cast<int>(m_branches.size()), [&](int branch) {
             if (is_regular && !eliminate_branch(branch, assemble)) {
                 is_regular = false;
             }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
@@ -12,6 +10,7 @@
 #include "numerics/buffer.hpp"
 #include "numerics/front.hpp"
 #include "numerics/front_stacks.hpp"
+#include "numerics/parallel.hpp"
 #include "numerics/supernodes.hpp"
 #include "numerics/tree_branches.hpp"
 
@@ -149,7 +148,7 @@ private:
     // Memory that is reused by the next factorisation.
     std::vector<Buffer> m_branch_updates;  ///< of the roots of the branches
     Workspace m_trunk_workspace;
-    tbb::enumerable_thread_specific<Workspace> m_branch_workspaces;
+    PerThread<Workspace> m_branch_workspaces;
 };
 
 }  // namespace taut

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 
+#include "numerics/blas.hpp"
 #include "numerics/extend_add.hpp"
-#include "numerics/products.hpp"
+#include "numerics/parallel.hpp"
 #include "numerics/serial_blas.hpp"
 #include "numerics/supernodal_factor.hpp"
 
@@ -120,12 +119,12 @@ void SupernodalFactor::selected_inverse(const Reader& read) const {
     for (const std::vector<int>& fronts : m_branches) {
         needs.cover(needs_of_inverse(fronts));
     }
-    tbb::enumerable_thread_specific<FrontStacks> stacks;
-    tbb::this_task_arena::isolate([&] {
+    PerThread<FrontStacks> stacks;
+    isolate([&] {
         for (size_t k = m_trunk.size(); k-- > 0;) {
             invert(m_trunk[k], read, inverses);
         }
-        tbb::parallel_for(size_t{0}, m_branches.size(), [&](size_t b) {
+        parallel_for(size_t{0}, m_branches.size(), [&](size_t b) {
             FrontStacks& own = stacks.local();
             own.clear(needs.heights);
             invert_branch(m_branches[b], read, inverses, own);

@@ -10,7 +10,6 @@
 #include "files/hdf5_reader.hpp"
 #include "files/hdf5_writer.hpp"
 #include "files/message.hpp"
-#include "numerics/fnv1a.hpp"
 
 namespace taut {
 namespace {
@@ -39,6 +38,10 @@ Eigen::Index rows_of(const CableNet& net, const PerturbationField& field) {
 }
 
 }  // namespace
+
+bool keeps_draws() {
+    return true;
+}
 
 std::string draws_bytes(const CableNet& net, const Identification& identification) {
     if (!identification.draws) {
@@ -71,25 +74,6 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.matrix("form", draws.forms, "m");
     writer.matrix("tension", draws.tensions, "N");
     return std::string(writer.finish().view());
-}
-
-std::string fingerprint_of(const PosteriorDraws& draws) {
-    Fnv1a hash;
-    for (const Eigen::MatrixXd* matrix :
-         {&draws.length_deviations, &draws.adjustable_deviations, &draws.forms, &draws.tensions}) {
-        hash.add_list(*matrix);
-    }
-    for (const PerturbationField& field : perturbation_fields) {
-        const Eigen::MatrixXd& matrix = draws.perturbations.*field.matrix;
-        if (matrix.size() > 0) {  // else the hash is that of older files
-            hash.add_list(matrix);
-        }
-    }
-    return hash.text();
-}
-
-std::filesystem::path draws_path(const std::filesystem::path& result) {
-    return result.parent_path() / (result.stem().string() + "_draws.h5");
 }
 
 PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path) {

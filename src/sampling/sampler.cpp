@@ -3,9 +3,6 @@
 #include "taut/sampling/sampler.hpp"
 
 #include <fmt/core.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/sampling/model_perturbation.hpp"
@@ -76,7 +74,7 @@ struct Sampler::State {
     std::vector<UncertainParameter> uncertain;
     Equilibrium nominal;
     FormSensitivity sensitivity;
-    mutable tbb::enumerable_thread_specific<EquilibriumSolver> solvers;
+    mutable PerThread<EquilibriumSolver> solvers;
 
     State(const CableNet& cable_net, const LengthPrior& with_prior, std::uint64_t with_seed,
           const std::vector<UncertainParameter>& with_uncertain)
@@ -163,13 +161,12 @@ void Sampler::draw_block(DataSet& data, int first, int count, const Progress& pr
     const int before = data.size();
     resize(data, before + count);
     try {
-        tbb::parallel_for(0, count, [&](int i) {
+        parallel_for(0, count, [&](int i) {
             if (progress.stopped()) {
                 throw Interrupted();
             }
             // Isolated, so that a thread that waits inside starts no other sample with its solver.
-            tbb::this_task_arena::isolate(
-                [&] { m_state->draw(data, Eigen::Index{before} + i, first + i); });
+            isolate([&] { m_state->draw(data, Eigen::Index{before} + i, first + i); });
         });
     } catch (...) {
         resize(data, before);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "taut/study/evaluation.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <exception>
 #include <functional>
@@ -12,6 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
@@ -75,7 +74,7 @@ std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>&
             run(i);
         }
     } else {
-        tbb::parallel_for(size_t{0}, chosen.size(), run);
+        parallel_for(size_t{0}, chosen.size(), run);
     }
     return outcomes;
 }
@@ -224,7 +223,7 @@ std::optional<CramerRaoBound> cramer_rao_bound(const CableNet& net, const Length
     const std::vector<size_t> mine = share_of(trials.size());
     std::vector<Eigen::VectorXd> of_trials(mine.size());
     try {
-        tbb::parallel_for(size_t{0}, mine.size(), [&](size_t i) {
+        parallel_for(size_t{0}, mine.size(), [&](size_t i) {
             const Trial& trial = trials[mine[i]];
             of_trials[i] = cramer_rao_variances(net, with_length_deviations(net, trial.deviations),
                                                 trial.form, trial.survey, prior);

@@ -11,6 +11,9 @@
 
 namespace taut {
 
+/// Whether taut was built with HDF5, so that draws_bytes() and read_draws() work.
+[[nodiscard]] TAUT_IO_EXPORT bool keeps_draws();
+
 /// The posterior samples of an identification as an HDF5 file, "taut-draws", one sample per row:
 ///
 ///     length_deviation [draws, m_I]   m, of the edges in `edge`

@@ -1,0 +1,3 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+set(CMAKE_CXX_COMPILE_OPTIONS_PIC "")  # all is linked into one module, where it would cost speed
