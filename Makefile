@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test wheel examples bench reference docs lint format sanitize fuzz hostile nightly clean
+.PHONY: help build demo test app wheel examples bench reference docs lint format sanitize fuzz hostile nightly clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -34,6 +34,10 @@ test: ## install what is missing, build, run every test
 	$(link_programs)
 	ctest --preset release
 	scripts/python.sh test
+
+app: ## build the program as one page for browsers, build/app/taut.html
+	scripts/install_dependencies.sh build python
+	scripts/app.sh
 
 wheel: ## build the Python package's wheel, with all libraries in it, in build/python/wheels
 	scripts/install_dependencies.sh build python

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 #
-# Builds the program as WebAssembly, build/app/taut.wasm. The compiler is the Clang of the Python package ziglang;
+# Builds build/app/taut.html, taut as one page that works in a browser without a network, out of the
+# program as WebAssembly, build/app/taut.wasm. The compiler is the Clang of the Python package ziglang;
 # headers are Debian's; the sources of libc++ come with ziglang, those of pugixml and HDF5 as
 # scripts/requirements/app_sources.txt and packaging/hdf5 pin them; Clarabel is built by Debian's
 # rustc-web and rust-web-src, which are unpacked here, and not installed.
@@ -84,3 +85,8 @@ export PKG_CONFIG_LIBDIR="$into/hdf5/installed/lib/pkgconfig"
 cmake --preset app --log-level=WARNING "${toolchain[@]}" "-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES=$PWD/cmake/wasm/packages.cmake"
 cmake --build --preset app --target taut_app
 cp "$into/program/apps/taut/taut.wasm" "$into/taut.wasm"
+
+scripts/app_licences.py "$zig" "$into" "$into/licences.json"
+version="$(sed -n 's/^project(taut VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)"
+(cd viewer && node build_app.mjs "$into/taut.wasm" "$into/program/viewer/page.html" "$version" "$into/licences.json" "$into/taut.html")
+ls -l "$into/taut.html"

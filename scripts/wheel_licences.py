@@ -169,7 +169,6 @@ def add_crates(notices, cargo):
         package = packages[crate]
         files = licence_files(Path(package["manifest_path"]).parent)
         notices.add("crate", f"{package['name']}-{package['version']}", text_of(files))
-    add_rust(notices, Path(cargo).with_name("rustc"))
 
 
 def add_rust(notices, rustc):
@@ -227,6 +226,7 @@ def add(wheel, build):
     add_headers(notices, build.resolve())
     cargo = re.search(r"TAUT_CARGO:FILEPATH=(.*)", (build / "CMakeCache.txt").read_text()).group(1)
     add_crates(notices, cargo)
+    add_rust(notices, Path(cargo).with_name("rustc"))
     with tempfile.TemporaryDirectory() as temporary:
         subprocess.run([sys.executable, "-m", "wheel", "unpack", wheel, "--dest", temporary],
                        check=True, stdout=subprocess.DEVNULL)  # fmt: skip

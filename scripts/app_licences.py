@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Writes the licences of all foreign code that is compiled into the app, as JSON: packages, text.
+
+Usage: app_licences.py ZIGLANG APP_FOLDER OUTPUT
+"""
+
+import json
+import shutil
+import sys
+from pathlib import Path
+
+from wheel_licences import Notices, add_crates, licence_files, owners, text_of
+
+# A header of each package of Debian that scripts/app.sh takes headers from. pugixml's source comes from
+# elsewhere, under the licence that Debian has of it. Boost's asks for nothing of what a compiler made.
+HEADERS = (
+    "CLI/CLI.hpp",
+    "eigen3/Eigen/Core",
+    "fast_float/fast_float.h",
+    "fmt/core.h",
+    "nlohmann/json.hpp",
+    "pugixml.hpp",
+    "valijson/validator.hpp",
+)
+
+
+def main(zig, app, output):
+    notices = Notices()
+    found = owners(*(f"/usr/include/{header}" for header in HEADERS))
+    for header in HEADERS:
+        notices.add_debian(header, found[f"/usr/include/{header}"])
+    notices.add("library", "libc++", text_of([zig / "lib/libcxx/LICENSE.TXT"]))
+    notices.add("library", "wasi-libc", text_of(licence_files(zig / "lib/libc/wasi")))
+    notices.add("library", "HDF5", text_of(licence_files(app / "hdf5/installed/share")))
+    add_crates(notices, shutil.which("cargo"))
+    rust = app / "rust/usr/share/doc/libstd-rust-web-dev/copyright"
+    notices.add("library", "Rust's standard library", text_of([rust]))
+    texts = {}
+    for entry in notices.index:
+        _, name, file = entry.split("\t")
+        texts.setdefault(file.removesuffix(".txt"), []).append(name)
+    document = [{"packages": names, "text": notices.texts[file]} for file, names in texts.items()]
+    output.write_text(json.dumps(document), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    main(*map(Path, sys.argv[1:]))

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// What can be set, each an option of the program's.
+
+import { h } from "../src/dom";
+
+export interface Setting {
+  option: string;
+  label: string;
+  /** What is taken where nothing is given. */
+  preset: string;
+  hint?: string;
+  choices?: string[];
+}
+
+export const identifySettings: Setting[] = [
+  { option: "--noise", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate: 0.5mm" },
+  { option: "--prior", label: "Fabrication tolerance (prior)", preset: "a broad one around uniform:5mm", hint: "uniform:5mm, normal:2mm, bimodal:5mm" },
+  { option: "--uncertain", label: "Uncertain parameters", preset: "those of an ordinary site", hint: "stiffness:5% supports:2mm, or none" },
+  { option: "--offset", label: "Offset of the targets", preset: "0mm", hint: "from the cable's axis, and its standard deviation: 3mm:0.2mm" },
+  { option: "--unit", label: "Unit of the coordinates", preset: "the file's, or by its extent", choices: ["m", "mm", "cm", "ft", "us-ft", "in"] },
+  { option: "--frame", label: "Coordinate system", preset: "auto", choices: ["net", "supports"] },
+  { option: "--draws", label: "Posterior samples", preset: "by the net's size", hint: "200; a plan needs them" },
+];
+
+export const planSettings: Setting[] = [
+  { option: "--tension", label: "Limits of tension", preset: "no edge slack", hint: "1.5kN..10kN, several apart by blanks" },
+  { option: "--reaction", label: "Largest force at a support", preset: "any", hint: "20kN" },
+  { option: "--stroke", label: "Largest change of length", preset: "15mm", hint: "of a turnbuckle from where it is now" },
+  { option: "--turn", label: "Change of length by one turn", preset: "lengths alone", hint: "pitch: 5mm" },
+  { option: "--step", label: "Smallest part of a turn", preset: "any", hint: "1/4; needs the pitch" },
+  { option: "--thread", label: "Thread", preset: "that of the net", choices: ["right", "left"] },
+  { option: "--tolerance", label: "Good enough", preset: "as near as can be", hint: "RMS along the normal: 2mm; then the fewest turns" },
+  { option: "--crews", label: "Crews", preset: "1" },
+];
+
+export const importSettings: Setting[] = [
+  { option: "--axial-stiffness", label: "Axial stiffness EA", preset: "the file's", hint: "200kN" },
+  { option: "--young", label: "Young's modulus", preset: "the file's", hint: "205GPa" },
+  { option: "--diameter", label: "Diameter", preset: "the file's", hint: "mm, or the attribute that gives it" },
+  { option: "--force-unit", label: "Unit of forces", preset: "the file's", choices: ["N", "kN"] },
+  { option: "--supports", label: "Further supports", preset: "none", choices: ["boundary"] },
+];
+
+/** Fields for settings, whose values they keep in `values`. */
+export function fields(settings: Setting[], values: Record<string, string>): HTMLElement {
+  return h("div", { class: "fields" }, ...settings.map((setting) => {
+    const { option, label, preset, hint, choices } = setting;
+    const keep = ({ target }: Event): void => { values[option] = (target as HTMLInputElement | HTMLSelectElement).value.trim(); };
+    const control = choices
+      ? h("select", { name: option, onchange: keep }, ...["", ...choices].map((choice) => h("option", { value: choice, selected: choice === (values[option] ?? "") }, choice || preset)))
+      : h("input", { name: option, type: "text", placeholder: preset, value: values[option] ?? "", oninput: keep, autocomplete: "off", spellcheck: "false" });
+    return h("label", { class: "field" }, h("span", {}, label), control, hint ? h("small", {}, hint) : null);
+  }));
+}
+
+/** The words of the command line for what was set. */
+export const wordsOf = (settings: Setting[], values: Record<string, string>): string[] =>
+  settings.flatMap(({ option }) => (values[option] ? [option, ...values[option].split(/\s+/)] : []));
+
+/** A command as it can be pasted into a shell. */
+export const shown = (words: string[]): string =>
+  ["taut", ...words].map((word) => (/^[\w\-=+.,:/@%]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(" ");

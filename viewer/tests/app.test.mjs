@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards, in a real browser, against an app that needs the network, gives other numbers than the program,
+// runs what stands in a file, blocks, or cannot be cancelled. TAUT_APP names the page, TAUT_PROGRAM the
+// program, TAUT_CHROMIUM the browser (default: Debian's).
+
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "playwright-core";
+
+const executablePath = process.env.TAUT_CHROMIUM ?? "/usr/bin/chromium";
+if (!existsSync(executablePath)) {
+  console.log(`skipped: no Chromium at ${executablePath}, install the package chromium or set TAUT_CHROMIUM`);
+  process.exit(0);
+}
+const app = resolve(process.env.TAUT_APP ?? new URL("../../build/app/taut.html", import.meta.url).pathname);
+const program = process.env.TAUT_PROGRAM;
+const folder = mkdtempSync(join(tmpdir(), "taut-app-"));
+const identifyOptions = ["--noise", "0.5mm", "--prior", "uniform:5mm", "--draws", "200"];
+const planOptions = ["--tension", "0.05kN..20kN", "--turn", "5mm", "--step", "1/4", "--thread", "right"];
+
+const native = (...words) => execFileSync(program, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] });
+const file = (name) => readFileSync(join(folder, name));
+
+let browser;
+before(async () => {
+  native("example", "hilo-quarter", "-o", "net.json");
+  native("form", "net.json", "--prior", "uniform:5mm", "--seed", "7", "-o", "built.csv");
+  native("survey", "net.json", "built.csv", "--noise", "0.5mm", "--seed", "2", "-o", "survey.csv");
+  native("identify", "net.json", "survey.csv", ...identifyOptions, "-o", "result.json", "--threads", "1");
+  native("plan", "net.json", "result.json", ...planOptions, "-o", "plan.json", "--csv", "turns.csv", "--threads", "1");
+  browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+});
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+async function open(options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  page.complaints = [];
+  page.on("request", (request) => {
+    if (!/^(file|data|blob|about):/.test(request.url())) page.complaints.push(`request ${request.url()}`);
+  });
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall")) page.complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => page.complaints.push(error.message));
+  page.on("dialog", (dialog) => page.complaints.push(`dialog ${dialog.message()}`));
+  await page.goto(`file://${app}`);
+  await page.waitForSelector("body[data-ready]", { state: "attached" });
+  return page;
+}
+
+/** window.taut.run() on files of text, and on those that it wrote before in this page; gives its texts. */
+const run = (page, args, files = {}) => page.evaluate(async ([args, files]) => {
+  window.kept = { ...window.kept, ...files };
+  const { code, stdout, stderr, files: written } = await window.taut.run(args, window.kept);
+  Object.assign(window.kept, written);
+  const texts = Object.entries(written).map(([name, bytes]) => [name, name.endsWith(".h5") ? "" : new TextDecoder().decode(bytes)]);
+  return { code, stdout, stderr, files: Object.fromEntries(texts) };
+}, [args, Object.fromEntries(Object.entries(files).map(([name, bytes]) => [name, bytes.toString()]))]);
+
+/** The largest difference of two lists of numbers. */
+const largestDifference = (a, b) => {
+  assert.equal(a.length, b.length);
+  return Math.max(...a.map((value, i) => Math.abs(value - b[i])));
+};
+
+test("the command line in the page gives the program's lengths, samples and turns", async () => {
+  const page = await open();
+  assert.equal((await run(page, ["--version"])).stdout, native("--version"));
+  const inputs = { "net.json": file("net.json"), "survey.csv": file("survey.csv") };
+  const identified = await run(page, ["identify", "net.json", "survey.csv", ...identifyOptions, "-o", "result.json"], inputs);
+  assert.equal(identified.code, 0, identified.stderr);
+  assert.deepEqual(Object.keys(identified.files).sort(), ["result.json", "result_draws.h5"]);
+  const result = JSON.parse(identified.files["result.json"]);
+  const expected = JSON.parse(file("result.json"));
+  for (const key of ["length_deviation", "std", "lower", "upper"]) {
+    const of = ({ edges }) => edges.map((edge) => edge[key]);
+    assert.ok(largestDifference(of(result), of(expected)) <= 1e-9, key);
+  }
+  assert.equal(result.trust.verdict, expected.trust.verdict);
+  const planned = await run(page, ["plan", "net.json", "result.json", ...planOptions, "-o", "plan.json", "--csv", "turns.csv"]);
+  assert.ok([0, 1].includes(planned.code), planned.stderr);
+  const strokes = (plan) => plan.turns.map(({ stroke }) => stroke);
+  assert.ok(largestDifference(strokes(JSON.parse(planned.files["plan.json"])), strokes(JSON.parse(file("plan.json")))) <= 1e-9);
+  assert.equal(planned.files["turns.csv"], file("turns.csv").toString());
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("errors are those of the program, in one line, and the page lives on", async () => {
+  const page = await open();
+  writeFileSync(join(folder, "broken.csv"), "a,b\n1,2\n");
+  for (const words of [["identify", "net.json", "broken.csv"], ["identify", "net.json", "missing.csv"], ["nothing"], ["inspect", "broken.csv"]]) {
+    const { status, stderr } = spawnSync(program, words, { cwd: folder, encoding: "utf8" });
+    const there = await run(page, words, { "net.json": file("net.json"), "broken.csv": file("broken.csv") });
+    assert.equal(there.code, status, there.stderr);
+    assert.equal(there.stderr, stderr);
+  }
+  assert.equal((await run(page, ["--version"])).code, 0);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("two dropped files become lengths and a list of turns, and a job that opens again", async () => {
+  const page = await open({ acceptDownloads: true });
+  const drop = async (names) => {
+    const files = names.map((name) => ({ name, bytes: [...file(name)] }));
+    const data = await page.evaluateHandle((files) => {
+      const transfer = new DataTransfer();
+      for (const { name, bytes } of files) transfer.items.add(new File([new Uint8Array(bytes)], name));
+      return transfer;
+    }, files);
+    await page.dispatchEvent("#drop", "drop", { dataTransfer: data });
+  };
+  await drop(["net.json", "survey.csv"]);
+  await page.waitForSelector("#read [data-state=done]");
+  assert.match(await page.textContent("#read .output"), /survey survey\.csv: \d+ free nodes/);
+  for (const [option, value] of [["--noise", "0.5mm"], ["--prior", "uniform:5mm"], ["--draws", "200"]]) await page.fill(`[name="${option}"]`, value);
+  await page.click("#do-identify");
+  await page.waitForSelector("#identification [data-state=done]");
+  const lengths = page.frameLocator("#lengths iframe");
+  await lengths.locator("body[data-ready]").waitFor();
+  assert.match(await lengths.locator(".trust").first().textContent(), /Checks/);
+  for (const [option, value] of [["--tension", "0.05kN..20kN"], ["--turn", "5mm"], ["--step", "1/4"]]) await page.fill(`[name="${option}"]`, value);
+  await page.selectOption('[name="--thread"]', "right");
+  await page.click("#do-plan");
+  await page.waitForSelector("#planning [data-state=done]");
+  await page.frameLocator("#turns iframe").locator("body[data-ready]").waitFor();
+  assert.ok(await page.frameLocator("#turns iframe").locator("#crews tbody tr").count() > 0);
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.click("text=Save list of turns")]);
+  assert.equal(readFileSync(await saved.path(), "utf8"), file("turns.csv").toString());
+
+  const [job] = await Promise.all([page.waitForEvent("download"), page.click("#save-job")]);
+  await job.saveAs(join(folder, "job.json"));
+  const again = await open();
+  await again.setInputFiles("#pick", join(folder, "job.json"));
+  await again.frameLocator("#turns iframe").locator("body[data-ready]").waitFor();
+  assert.equal(await again.inputValue('[name="--tension"]'), "0.05kN..20kN");
+  assert.deepEqual([...page.complaints, ...again.complaints], []);
+  await page.close();
+  await again.close();
+});
+
+test("a run can be cancelled", async () => {
+  const page = await open();
+  await page.click("#example");
+  await page.waitForSelector("#read [data-state=done]");
+  await page.fill('[name="--draws"]', "5000");
+  await page.click("#do-identify");
+  await page.waitForSelector("#identification [data-state=running]");
+  await page.click("#identification >> text=Cancel");
+  await page.waitForFunction(() => document.querySelector("#identification .status").textContent === "Cancelled.");
+  await page.fill('[name="--draws"]', "0");
+  await page.click("#do-identify");
+  await page.waitForSelector("#identification [data-state=done]");
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("what stands in names runs nothing", async () => {
+  const page = await open();
+  const name = "<img src=x onerror=alert(1)>.csv";
+  writeFileSync(join(folder, "hostile.csv"), file("survey.csv"));
+  await page.setInputFiles("#pick", [
+    { name: "net.json", mimeType: "application/json", buffer: Buffer.from(file("net.json").toString().replace(/"name": *"[^"]*"/, '"name": "<script>alert(1)</script><img src=x onerror=alert(2)>"')) },
+    { name, mimeType: "text/csv", buffer: file("survey.csv") },
+  ]);
+  await page.waitForSelector("#read [data-state=done]");
+  await page.fill('[name="--draws"]', "0");
+  await page.click("#do-identify");
+  await page.waitForSelector("#identification [data-state=done]");
+  await page.frameLocator("#lengths iframe").locator("body[data-ready]").waitFor();
+  assert.equal(await page.locator("img").count(), 0);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
