@@ -245,9 +245,7 @@ std::optional<Perturbation::Fit> Perturbation::followed(const Observations& obse
 
 std::optional<Perturbation::Fit> Perturbation::refitted(const Observations& observations,
                                                         Workspace& workspace) const {
-    // The line of a law is near enough to begin with; slack edges are not.
-    const auto near = m_net.is_linear() ? std::nullopt : followed(observations);
-    Iterate start = near ? near->iterate : m_all_taut;
+    Iterate start = m_all_taut;
     StaticsModel model = m_refit_model;
     std::optional<Fit> found;
     for (const double part : blurs_of_draws) {
