@@ -19,6 +19,7 @@ constexpr double smallest_relative_stiffness = 1e-10;
 /// @param lengths coupled where observations have evidence
 std::unique_ptr<BorderedFactor> new_matrix(const StaticsNumbering& numbers, Lengths lengths) {
     std::vector<bool> unknown;
+    unknown.reserve(numbers.interior_of.size());
     for (const int i : numbers.interior_of) {
         unknown.push_back(i >= 0);
     }
