@@ -112,7 +112,7 @@ clang_tidy() {
 check_viewer() (
     [[ -f build/release/result.schema.json ]] || exit 0
     cd viewer || exit
-    [[ -d node_modules/typescript ]] ||
+    [[ -d node_modules/typescript && node_modules/.package-lock.json -nt package-lock.json ]] ||
         npm ci --ignore-scripts --no-audit --no-fund --loglevel=error || exit
     npm run --silent check
 )

@@ -46,7 +46,7 @@ int stride_of(const Matrix& matrix) {
 }
 
 /// B = L^-1 B or B L^-T.
-void divide(const char* side, const char* transpose, const ConstMatrixPart& L, MatrixPart B) {
+void divide(const char* side, const char* transpose, const ConstMatrixPart& L, MatrixPart& B) {
     const int rows = size_of(B.rows());
     const int columns = size_of(B.cols());
     const int stride_of_L = stride_of(L);
