@@ -39,7 +39,7 @@ app: ## build the program as one page for browsers, build/app/taut.html
 	scripts/install_dependencies.sh build python
 	scripts/app.sh
 
-wheel: ## build the Python package's wheel, with all libraries in it, in build/python/wheels
+wheel: app ## build the Python package's wheel, with all libraries in it, in build/python/wheels
 	scripts/install_dependencies.sh build python
 	scripts/python.sh wheel
 

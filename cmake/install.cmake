@@ -24,6 +24,8 @@ endif()
 install(FILES ${PROJECT_BINARY_DIR}/result.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut COMPONENT development)
 if(TAUT_BUILD_APP)
     install(TARGETS taut_app COMPONENT program)
+    # Of `make app`, where that has been called: taut app writes it.
+    install(FILES build/app/taut.html DESTINATION ${CMAKE_INSTALL_DATADIR}/taut COMPONENT program OPTIONAL)
 endif()
 if(TAUT_BUILD_MPI)
     install(TARGETS taut_mpi COMPONENT cluster)

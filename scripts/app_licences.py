@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the licences of all foreign code that is compiled into the app, as JSON: packages, text.
 
-Usage: app_licences.py ZIGLANG APP_FOLDER OUTPUT
+Usage: app_licences.py ZIGLANG HDF5 RUST OUTPUT, the first three folders
 """
 
 import json
@@ -26,17 +26,17 @@ HEADERS = (
 )
 
 
-def main(zig, app, output):
+def main(zig, hdf5, rust, output):
     notices = Notices()
     found = owners(*(f"/usr/include/{header}" for header in HEADERS))
     for header in HEADERS:
         notices.add_debian(header, found[f"/usr/include/{header}"])
     notices.add("library", "libc++", text_of([zig / "lib/libcxx/LICENSE.TXT"]))
     notices.add("library", "wasi-libc", text_of(licence_files(zig / "lib/libc/wasi")))
-    notices.add("library", "HDF5", text_of(licence_files(app / "hdf5/installed/share")))
+    notices.add("library", "HDF5", text_of(licence_files(hdf5 / "installed/share")))
     add_crates(notices, shutil.which("cargo"))
-    rust = app / "rust/usr/share/doc/libstd-rust-web-dev/copyright"
-    notices.add("library", "Rust's standard library", text_of([rust]))
+    copyright = rust / "usr/share/doc/libstd-rust-web-dev/copyright"
+    notices.add("library", "Rust's standard library", text_of([copyright]))
     texts = {}
     for entry in notices.index:
         _, name, file = entry.split("\t")
@@ -46,6 +46,6 @@ def main(zig, app, output):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) != 5:
         sys.exit(__doc__)
     main(*map(Path, sys.argv[1:]))

@@ -76,5 +76,8 @@ node viewer/tests/opening.mjs "$out/reproduce/report.html" "$out/hypar300.html" 
 /usr/bin/python3 benchmarks/peers/sklearn_one_output.py "$out/reproduce/data.h5" \
     --training 950 --edge 0 > "$out/sklearn.json"
 
+# The page for browsers, where it is built.
+[[ ! -e build/app/taut.html ]] || /usr/bin/python3 benchmarks/app.py --write > /dev/null
+
 /usr/bin/python3 benchmarks/performance_page.py "$out" --write > /dev/null
 echo "written to docs/performance.md"

@@ -4,7 +4,7 @@
 #
 # Builds the site of docs/ into build/site, with the reference of the C++ headers in it. Broken links and
 # anchors fail. Takes the program at build/taut, and of scripts/python.sh the wheel, of which the sources
-# and stubs are read for the reference, and the notebooks as its tests ran them.
+# and stubs are read for the reference, and the notebooks as its tests ran them. Where build/app/taut.html is there, it goes into the site.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 into=build/docs
@@ -26,6 +26,7 @@ for notebook in docs/notebooks/*.ipynb; do
 done
 build/venv/uv/bin/uv pip install --quiet --python "$tools/python" --no-deps --reinstall build/python/dist/taut-*.whl
 
+[[ -e build/app/taut.html ]] || echo "docs.sh: without the app: make app builds build/app/taut.html"
 PATH="$PWD/$tools:$PATH" NO_MKDOCS_2_WARNING=1 "$tools/mkdocs" build --strict
 if grep --recursive --include='*.html' --extended-regexp --max-count=1 \
     '<(script|iframe|img)[^>]* src="?https?:|<link[^>]* rel="?stylesheet[^>]* href="?https?:' build/site; then

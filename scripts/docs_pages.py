@@ -11,6 +11,10 @@ from mkdocs.structure.files import File
 ROOT = Path(__file__).parents[1]
 PROGRAM = ROOT / "build" / "taut"
 NOTEBOOKS = ROOT / "build" / "python" / "notebooks"
+APP = ROOT / "build" / "app" / "taut.html"
+SAMPLE = ROOT / "build" / "docs" / "sample"
+HERE = """Or take it from here: [taut.html](app/taut.html), to open or to save, with files to drop onto it:
+[net.json](app/net.json) and [survey.csv](app/survey.csv)."""
 MODULES = ROOT / "build" / "docs" / "node_modules"
 KATEX = MODULES / "katex" / "dist"
 RENDER = """
@@ -45,8 +49,26 @@ def commands():
     return "\n\n".join(page).replace("```\n\n", "```\n").replace("\n\n```", "\n```") + "\n"
 
 
+def sample(folder):
+    """Files to drop onto the app: a net, and a survey of it as it might be built."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for words in (
+        "example hilo-quarter -o net.json",
+        "form net.json --prior uniform:5mm --seed 7 -o built.csv",
+        "survey net.json built.csv --noise 0.5mm --drop 10% --seed 2 -o survey.csv",
+    ):
+        subprocess.run([PROGRAM, *words.split()], cwd=folder, capture_output=True, check=True)
+
+
 def on_files(files, config):
+    app = (ROOT / "docs" / "app.md").read_text(encoding="utf-8")
+    if APP.exists():
+        app = app.replace("<!-- site: here -->", HERE)
+        sample(SAMPLE)
+        for path in [APP, SAMPLE / "net.json", SAMPLE / "survey.csv"]:
+            files.append(File.generated(config, f"app/{path.name}", abs_src_path=str(path)))
     pages = {
+        "app.md": app,
         "commands.md": COMMANDS + commands(),
         "linking.md": re.sub(  # the site has the reference of the headers
             r"`make reference`",

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What .ci/run leaves out for time: every compiler and library that taut promises, all of clang-tidy, each
-# public header and each source by itself, every test with the sanitizers, long fuzz and hostile runs.
+# public header and each source by itself, the app, every test with the sanitizers, long fuzz and hostile runs.
 # A release needs it (CONTRIBUTING.md).
 # Usage: scripts/nightly.sh [seconds of fuzzing a reader]
 set -euo pipefail
@@ -25,6 +25,8 @@ step cmake --build --preset release --target all_verify_interface_header_sets
 step ctest --preset nightly
 step scripts/check_compilers.sh libc++
 step scripts/sanitize.sh
+step make app
+step env TAUT_PROGRAM="$PWD/build/taut" npm --prefix viewer run test:app
 step make fuzz SECONDS="$seconds"
 step "${hostile[@]}" --every-fault --seconds $((5 * seconds))
 print_times

@@ -118,6 +118,7 @@ void note_digest(const std::string& file, bool has_digest);
 /// A document as it is printed; bytes that are no UTF-8, as a file's name may hold, are replaced.
 std::string to_text(const nlohmann::ordered_json& document);
 
+void add_app(CLI::App& program);
 void add_example(CLI::App& program);
 void add_import(CLI::App& program);
 void add_inspect(CLI::App& program);

@@ -10,9 +10,12 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
+
+#include "terminal.hpp"
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -48,7 +51,27 @@ std::string at_least_text(double bytes) {
                             : fmt::format("{:.1f} GiB", std::ceil(10.0 * bytes / gibibyte) / 10.0);
 }
 
-#ifdef __linux__
+#ifdef __wasi__
+constexpr double of_thread = 0.0;  // neither OpenBLAS nor threads
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t bytes_in_use() {
+    return std::uint64_t{65536} * __builtin_wasm_memory_size(0);
+}
+
+double memory_in_use() {
+    return static_cast<double>(bytes_in_use());
+}
+
+void keep_to(std::uint64_t bytes) {
+    most_bytes = bytes;
+}
+#elif defined(__linux__)
+// A buffer of OpenBLAS and a stack.
+constexpr double of_thread = (128.0 + 8.0) * mebibyte;
+
 /// What counts against the limit now, by the system [bytes]; 0 where that is not known.
 double memory_in_use() {
     std::ifstream status("/proc/self/status");
@@ -73,6 +96,8 @@ void keep_to(std::uint64_t bytes) {
     }
 }
 #else
+constexpr double of_thread = 0.0;
+
 double memory_in_use() {
     return 0.0;
 }
@@ -104,8 +129,6 @@ std::uint64_t parse_memory(std::string_view text) {
 void limit_memory(const std::string& text, int threads) {
     const std::uint64_t bytes = parse_memory(text);
     const std::string shown = text.substr(0, 40);
-    // A buffer of OpenBLAS and a stack for each thread.
-    constexpr double of_thread = (128.0 + 8.0) * mebibyte;
     const double reserve = of_thread * threads;
     const double least = memory_in_use() + reserve;
     if (static_cast<double>(bytes) < least) {
@@ -136,3 +159,17 @@ void require_memory(double bytes, std::string_view what) {
 }
 
 }  // namespace taut::app
+
+#ifdef __wasi__
+// Of malloc() in the C library: more memory, of whole pages. Libraries do not survive a malloc that
+// finds none: memory_glibc.cpp.
+extern "C" void* sbrk(std::intptr_t increment) {
+    const std::uint64_t before = taut::app::bytes_in_use();
+    if (increment > 0 &&
+        (before + static_cast<std::uint64_t>(increment) > taut::app::most_bytes ||
+         __builtin_wasm_memory_grow(0, increment / 65536) == static_cast<std::size_t>(-1))) {
+        taut::app::end_without_memory();
+    }
+    return reinterpret_cast<void*>(before);
+}
+#endif

@@ -4,7 +4,9 @@
 // WebAssembly has one thread and no signals: whoever runs it ends it from outside.
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
+#include "memory_limit.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -14,7 +16,9 @@ void prepare_streams() {}
 void take_last_word() noexcept {}
 
 void end_without_memory() {
-    std::fputs("taut: error: not enough memory\n", stderr);
+    const std::string_view note = memory_limit_note();
+    std::fprintf(stderr, "taut: error: not enough memory%.*s\n", static_cast<int>(note.size()),
+                 note.data());
     leave(numerical_failure);
 }
 

@@ -97,6 +97,15 @@ void bind_interchange(nb::module_& module) {
         },
         nb::arg("result"), nb::arg("output"),
         "A saved result as one HTML page that needs nothing else, as taut report.");
+    module.def(
+        "_copy_page",
+        [](const std::filesystem::path& page, const std::filesystem::path& output) {
+            if (is_same_file(page, output)) {
+                throw OutputError(output, "is the package's own page, expected another file");
+            }
+            write_file(output, read_file(page));
+        },
+        nb::arg("page"), nb::arg("output"));
     module.def("has_report_viewer", &has_report_viewer,
                "Whether reports can be made: this build holds their viewer.");
 }

@@ -16,6 +16,7 @@ from importlib import import_module
 from taut import _taut, calls
 from taut._taut import *  # noqa: F403
 from taut._taut import __version__
+from taut.page import app  # noqa: F401
 from taut.surveys import read_survey  # noqa: F401
 
 for _name, _of in vars(_taut).items():
@@ -29,7 +30,7 @@ class Sampler(_taut.Sampler):
 
 
 __all__ = [name for name in dir() if not name.startswith("_")]
-__all__ = [name for name in __all__ if name not in ("import_module", "calls", "surveys")]
+__all__ = [name for name in __all__ if name not in ("import_module", "calls", "page", "surveys")]
 __all__ += ["__version__", "gradients"]  # noqa: F405 - gp and plot take packages that are optional
 
 

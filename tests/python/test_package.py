@@ -28,6 +28,19 @@ def test_the_version_is_the_programs():
     assert taut.__version__ in said.stdout
 
 
+def test_the_page_for_browsers_is_written_or_missed_in_words(tmp_path):
+    try:
+        page = taut.app()
+    except FileNotFoundError as error:
+        assert "make app" in str(error)
+        return
+    written = taut.app(tmp_path / "page.html")
+    assert written.read_bytes() == page.read_bytes()
+    assert b"<title>taut</title>" in written.read_bytes()
+    with pytest.raises(OSError, match="own page"):
+        taut.app(page)
+
+
 def test_importing_brings_nothing_but_numpy():
     code = "import sys, taut; print([m for m in sys.modules])"
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
