@@ -204,6 +204,27 @@ test("what was ticked off, and the next survey, are an epoch; a page opened agai
   await context.close();
 });
 
+test("files of another program, of forces and of control points are known by what stands in them", async () => {
+  const page = await open();
+  native("export", "net.json", "--to", "csv", "-o", "nodes.csv");
+  native("export", "net.json", "--to", "obj", "-o", "net.obj");
+  writeFileSync(join(folder, "cells.csv"), "edge,tension\n1,4.5\n");
+  writeFileSync(join(folder, "law.csv"), "strain,stress\n0,0\n0.01,1e9\n");
+  await drop(page, "#drop", ["nodes.csv", "nodes_edges.csv", "survey.csv", "cells.csv", "law.csv"]);
+  await page.waitForSelector("#read [data-state=done], #read [data-state=failed]");
+  const roles = () => page.locator("#files select").evaluateAll((all) => all.map(({ selectedOptions }) => selectedOptions[0].textContent));
+  assert.deepEqual(await roles(), ["net", "edges of the net", "survey", "force measurements", "tension law: strain, stress"]);
+  assert.match(await page.textContent("#read .commands"), /taut import nodes\.csv --edges nodes_edges\.csv --stress-strain law\.csv -o net\.json/);
+  assert.ok(await page.isVisible('[name="--force-unit"]'));
+  await page.selectOption("#files li:last-child select", "none");
+  await page.waitForSelector("#read [data-state=done]");
+  await page.click("#new-job");
+  await drop(page, "#drop", ["net.obj", "survey.csv"]);
+  assert.deepEqual(await roles(), ["net", "survey"]);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
 test("a broken job, and files of the wrong kind, give one line, and the page lives on", async () => {
   const page = await open();
   const files = {
