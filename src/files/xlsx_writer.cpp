@@ -19,16 +19,17 @@ namespace taut {
 namespace {
 
 constexpr const char* main_space = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
-constexpr const char* relations =
+constexpr const char* relations_space =
     "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
 constexpr const char* content_type = "application/vnd.openxmlformats-officedocument.spreadsheetml.";
 
 /// Styles of cells: indices into the cellXfs below.
-enum Style : unsigned { plain, title, remark, first_number };
+enum class Style : unsigned { plain, title, remark, first_number };
+constexpr auto first_number = static_cast<unsigned>(Style::first_number);
 constexpr unsigned most_decimals = 5;
 
-const std::string head = R"(<?xml version="1.0" encoding="UTF-8" standalone="yes"?>)"
-                         "\n";
+constexpr const char* xml_head = R"(<?xml version="1.0" encoding="UTF-8" standalone="yes"?>)"
+                                 "\n";
 
 /// Bold and a line below for titles, bold and red for remarks, and numbers of 0 to 5 decimals.
 std::string styles() {
@@ -49,7 +50,7 @@ std::string styles() {
             colour);
     };
     const std::string side = "<left/><right/><top/>";
-    return head +
+    return xml_head +
            fmt::format(
                R"(<styleSheet xmlns="{}"><numFmts count="{}">{}</numFmts><fonts count="3">{}{}{}</fonts>)"
                R"(<fills count="2"><fill><patternFill patternType="none"/></fill>)"
@@ -66,7 +67,8 @@ std::string styles() {
                first_number + most_decimals + 1, numbers);
 }
 
-void set(pugi::xml_node node, std::initializer_list<std::pair<const char*, std::string>> values) {
+void set_attributes(pugi::xml_node node,
+                    std::initializer_list<std::pair<const char*, std::string>> values) {
     for (const auto& [name, value] : values) {
         node.append_attribute(name) = value.c_str();
     }
@@ -80,7 +82,9 @@ void add_text(pugi::xml_node row, XlsxReference place, Style style, const std::s
             "a text for an Excel file has {} bytes, expected at most {}", shown.size(), most));
     }
     pugi::xml_node cell = row.append_child("c");
-    set(cell, {{"r", to_string(place)}, {"s", std::to_string(style)}, {"t", "inlineStr"}});
+    set_attributes(cell, {{"r", to_string(place)},
+                          {"s", std::to_string(static_cast<unsigned>(style))},
+                          {"t", "inlineStr"}});
     pugi::xml_node content = cell.append_child("is").append_child("t");
     content.append_attribute("xml:space") = "preserve";
     content.text() = shown.c_str();
@@ -89,7 +93,7 @@ void add_text(pugi::xml_node row, XlsxReference place, Style style, const std::s
 void add_number(pugi::xml_node row, XlsxReference place, int decimals, double number) {
     pugi::xml_node cell = row.append_child("c");
     const unsigned shown = std::min(static_cast<unsigned>(decimals), most_decimals);
-    set(cell, {{"r", to_string(place)}, {"s", std::to_string(first_number + shown)}});
+    set_attributes(cell, {{"r", to_string(place)}, {"s", std::to_string(first_number + shown)}});
     cell.append_child("v").text() = fmt::format("{}", number).c_str();
 }
 
@@ -108,10 +112,10 @@ void add_view(pugi::xml_node page, const XlsxSheet& sheet, int titles, bool is_f
         view.append_attribute("tabSelected") = 1;
     }
     view.append_attribute("workbookViewId") = 0;
-    set(view.append_child("pane"), {{"ySplit", std::to_string(titles)},
-                                    {"topLeftCell", fmt::format("A{}", titles + 1)},
-                                    {"activePane", "bottomLeft"},
-                                    {"state", "frozen"}});
+    set_attributes(view.append_child("pane"), {{"ySplit", std::to_string(titles)},
+                                               {"topLeftCell", fmt::format("A{}", titles + 1)},
+                                               {"activePane", "bottomLeft"},
+                                               {"state", "frozen"}});
     page.append_child("sheetFormatPr").append_attribute("defaultRowHeight") = 15;
     pugi::xml_node columns = page.append_child("cols");
     int number = 0;
@@ -119,7 +123,8 @@ void add_view(pugi::xml_node page, const XlsxSheet& sheet, int titles, bool is_f
         constexpr size_t narrowest = 9;  // in letters
         constexpr size_t margin = 2;
         const std::string at = std::to_string(++number);
-        set(columns.append_child("col"),
+        set_attributes(
+            columns.append_child("col"),
             {{"min", at},
              {"max", at},
              {"width", std::to_string(std::max(narrowest, column.title.size() + margin))},
@@ -135,12 +140,12 @@ std::string sheet_xml(const XlsxSheet& sheet, bool is_first) {
     add_view(page, sheet, row, is_first);
     pugi::xml_node data = page.append_child("sheetData");
     for (int k = 0; k + 1 < row; ++k) {
-        add_text(add_row(data, k + 1), {.column = 1, .row = k + 1}, remark,
+        add_text(add_row(data, k + 1), {.column = 1, .row = k + 1}, Style::remark,
                  "# " + sheet.remarks[static_cast<size_t>(k)]);
     }
     pugi::xml_node titles = add_row(data, row);
     for (size_t k = 0; k < sheet.columns.size(); ++k) {
-        add_text(titles, {.column = static_cast<int>(k) + 1, .row = row}, title,
+        add_text(titles, {.column = static_cast<int>(k) + 1, .row = row}, Style::title,
                  sheet.columns[k].title);
     }
     for (const std::vector<XlsxCell>& cells : sheet.rows) {
@@ -152,31 +157,31 @@ std::string sheet_xml(const XlsxSheet& sheet, bool is_first) {
                 add_number(line, place, sheet.columns[k].decimals, *number);
             } else if (const auto* const text = std::get_if<std::string>(&cells[k]);
                        text != nullptr && !text->empty()) {
-                add_text(line, place, plain, *text);
+                add_text(line, place, Style::plain, *text);
             }
         }
     }
-    set(page.append_child("pageMargins"), {{"left", "0.7"},
-                                           {"right", "0.7"},
-                                           {"top", "0.75"},
-                                           {"bottom", "0.75"},
-                                           {"header", "0.3"},
-                                           {"footer", "0.3"}});
-    set(page.append_child("pageSetup"), {{"paperSize", "9"},  // A4
-                                         {"orientation", "landscape"},
-                                         {"fitToHeight", "0"}});
+    set_attributes(page.append_child("pageMargins"), {{"left", "0.7"},
+                                                      {"right", "0.7"},
+                                                      {"top", "0.75"},
+                                                      {"bottom", "0.75"},
+                                                      {"header", "0.3"},
+                                                      {"footer", "0.3"}});
+    set_attributes(page.append_child("pageSetup"), {{"paperSize", "9"},  // A4
+                                                    {"orientation", "landscape"},
+                                                    {"fitToHeight", "0"}});
     std::ostringstream text;
     document.save(text, "", pugi::format_raw | pugi::format_no_declaration);
-    return head + text.str();
+    return xml_head + text.str();
 }
 
 std::string relation(int id, const char* kind, const std::string& target) {
-    return fmt::format(R"(<Relationship Id="rId{}" Type="{}/{}" Target="{}"/>)", id, relations,
-                       kind, target);
+    return fmt::format(R"(<Relationship Id="rId{}" Type="{}/{}" Target="{}"/>)", id,
+                       relations_space, kind, target);
 }
 
 std::string relations_xml(const std::string& all) {
-    return head +
+    return std::string(xml_head) +
            R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)" +
            all + "</Relationships>";
 }
@@ -213,17 +218,17 @@ std::string xlsx_bytes(const std::vector<XlsxSheet>& sheets) {
     parts.emplace_back("xl/_rels/workbook.xml.rels", relations_xml(related));
     parts.emplace_back(
         "xl/workbook.xml",
-        head + fmt::format(
-                   R"(<workbook xmlns="{}" xmlns:r="{}"><bookViews><workbookView/></bookViews>)"
-                   R"(<sheets>{}</sheets><definedNames>{}</definedNames></workbook>)",
-                   main_space, relations, names, titles));
+        xml_head + fmt::format(
+                       R"(<workbook xmlns="{}" xmlns:r="{}"><bookViews><workbookView/></bookViews>)"
+                       R"(<sheets>{}</sheets><definedNames>{}</definedNames></workbook>)",
+                       main_space, relations_space, names, titles));
     parts.emplace_back("_rels/.rels",
                        relations_xml(relation(1, "officeDocument", "xl/workbook.xml")));
     const std::string start =
         R"(<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">)"
         R"(<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>)"
         R"(<Default Extension="xml" ContentType="application/xml"/>)";
-    parts.emplace_back("[Content_Types].xml", head + start + types + "</Types>");
+    parts.emplace_back("[Content_Types].xml", xml_head + start + types + "</Types>");
     std::ranges::reverse(parts);  // the list of types first, as everywhere
     return zip_bytes(parts);
 }

@@ -85,10 +85,13 @@ TEST(Xlsx, IsTheTextOfItsSheetWithEachRowOnItsLine) {
     const TableFile read = table(one_sheet(
         "<row r='1'><c r='B1' t='inlineStr'><is><t xml:space='preserve'> a, \"b\" </t></is></c>"
         "<c r='C1' t='s'><v>1</v></c></row>" +
-        points + "<row><c t='str'><v># last</v></c><c><v>7</v></c></row>"));
+        points +
+        "<row><c t='str'><v> </v></c></row><row><c t='str'><v># "
+        "last</v></c><c><v>7</v></c></row>"));
     EXPECT_EQ(read.sheet, "Ist");
-    EXPECT_EQ(read.text,
-              ",\"a, \"\"b\"\"\",\"East [mm]\",,\n\n,P1,0.30000000000000004,0.001,12\n# last 7\n");
+    EXPECT_EQ(
+        read.text,
+        ",\"a, \"\"b\"\"\",\"East [mm]\",,\n\n,P1,0.30000000000000004,0.001,12\n\n# last 7\n");
 }
 
 TEST(Xlsx, TakesDatesForTextAndFormatsForNothing) {

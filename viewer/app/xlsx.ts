@@ -206,12 +206,12 @@ class Workbook {
         }
       }));
       const isRemark = [...values.values()][0]?.startsWith("#") ?? false;
-      const quoted = (value: string): string => (value !== "" && !/[,;" ]|^#/.test(value) ? value : `"${value.replaceAll('"', '""')}"`);
+      const quoted = (value: string): string => (!/[,;" ]|^#/.test(value) ? value : `"${value.replaceAll('"', '""')}"`);
       const fields = Array.from({ length: last - first + 1 }, (_, k) => {
         const value = values.get(first + k);
-        return value === undefined ? "" : quoted(value);
+        return value ? quoted(value) : "";
       });
-      text += "\n".repeat(number - line) + (isRemark ? [...values.values()].join(" ") : fields.join(",")) + "\n";
+      text += "\n".repeat(number - line) + (isRemark ? [...values.values()].join(" ") : fields.some((field) => field !== "") ? fields.join(",") : "") + "\n";
       line = number + 1;
       if (text.length > 2 * largest) this.fail(`is where the table becomes larger than ${String(2 * largest / 2 ** 20)} MiB`, number);
     }
