@@ -4,6 +4,7 @@
 // A job: its files, what was set, and what came out, in one file that can be saved and mailed.
 
 import { isNotes, type Notes } from "../src/notes";
+import { withoutExcel } from "./xlsx";
 
 export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "later" | "turned" | "target" | "none";
 
@@ -148,5 +149,5 @@ export function epochWords({ inputs }: Job): string[] {
 /** A file's content under a name without folders. Throws for one that the program would refuse. */
 export async function contentOf(file: File): Promise<Uint8Array> {
   if (file.size > largest) throw new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB, expected at most ${largest / 2 ** 20}`);
-  return new Uint8Array(await file.arrayBuffer());
+  return withoutExcel(file.name, new Uint8Array(await file.arrayBuffer()));
 }
