@@ -121,7 +121,7 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (/\.obj$/i.test(name)) return ![undefined, name].includes(namedIn(job, "net")) ? "target" : "net";
   if (formatOf(name, bytes) !== null) return "net";
   const head = text(bytes.subarray(0, 2000));
-  if (/\bstroke\b/.test(head)) return "turned";
+  if (/\bstroke(_mm)?\b/.test(head)) return "turned";
   if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
   if (/^\s*strain\W+stress\b/m.test(head)) return "law";
   if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
