@@ -7,7 +7,7 @@
 # cargo builds the conic solver Clarabel: Debian's cargo-web, kept up to date for browsers, is recent
 # enough, its cargo is not. A cargo that is there, from rustup say, is left alone; where it is too old,
 # CMake says so and builds without the solver.
-# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|reference|ci]...
+# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|browsers|reference|ci]...
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
@@ -28,6 +28,8 @@ reference=(doxygen)
 python=(python3-dev python3-venv python3-pip)
 # Compilers that scripts/check_compilers.sh builds with.
 compilers=(clang-14 clang-16 clang-19 libc++-19-dev libc++abi-19-dev)
+# Besides Chromium, which the page for browsers works in.
+browsers=(firefox-esr)
 # What earlier runs of .ci/run on this machine have compiled.
 ci=(ccache)
 cargo=cargo-web
@@ -43,7 +45,7 @@ case "$system" in
         test=("${test[@]/chromium/chromium-browser}")
         # It has no Clang 19, which these work with.
         for group in "$@"; do
-            if [[ "$group" =~ ^(lint|fuzz|compilers)$ ]]; then
+            if [[ "$group" =~ ^(lint|fuzz|compilers|browsers)$ ]]; then
                 echo "install_dependencies.sh: '$group' takes Debian, this is $system" >&2
                 exit 1
             fi
@@ -80,13 +82,13 @@ packages=()
 groups=("${@:-build}")
 for group in "${groups[@]}"; do
     case "$group" in
-        build | test | python | bench | lint | fuzz | hostile | compilers | reference | ci)
+        build | test | python | bench | lint | fuzz | hostile | compilers | browsers | reference | ci)
             declare -n members="$group"
             packages+=("${members[@]}")
             ;;
         *)
             echo "install_dependencies.sh: unknown group '$group'," \
-                "expected build, test, python, bench, lint, fuzz, hostile, compilers, reference or ci" >&2
+                "expected build, test, python, bench, lint, fuzz, hostile, compilers, browsers, reference or ci" >&2
             exit 2
             ;;
     esac
