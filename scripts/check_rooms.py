@@ -167,13 +167,20 @@ def check_table(root):
     include, and whether each includes only rooms above it."""
     problems = []
     rows = re.findall(
-        r"^\| `(\w+)` \|.*\| ([\w, ]*)\|$",
+        r"^\| `(\w+)` \|.*\| ([\w`./, ]+) \| ([\w, ]*)\|$",
         (root / "docs/architecture.md").read_text(encoding="utf-8"),
         re.MULTILINE,
     )
     shown = {
-        room: [name.strip() for name in names.split(",") if name.strip()] for room, names in rows
+        room: [name.strip() for name in names.split(",") if name.strip()]
+        for room, _, names in rows
     }
+    problems += [
+        f"docs/architecture.md: '{room}' has no '{name}' to read first"
+        for room, first, _ in rows
+        for name in re.findall(r"`([^`]+)`", first)
+        if not (root / "src" / room / name).exists() and not (root / "include" / name).exists()
+    ]
     if list(shown) != list(MAY_INCLUDE):
         problems.append(f"docs/architecture.md: rooms {list(shown)}, expected {list(MAY_INCLUDE)}")
     for room, names in MAY_INCLUDE.items():

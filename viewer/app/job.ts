@@ -3,7 +3,24 @@
 //
 // A job: its files, what was set, and what came out, in one file that can be saved and mailed.
 
-export type Role = "net" | "survey" | "target" | "none";
+import { isNotes, type Notes } from "../src/notes";
+
+export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "later" | "turned" | "target" | "none";
+
+/** What roles are called, and the option that gives such a file to a command. */
+export const roles: Record<Role, { label: string; command?: string; option?: string }> = {
+  net: { label: "net" },
+  edges: { label: "edges of the net", command: "import", option: "--edges" },
+  supports: { label: "list of supports", command: "import", option: "--supports" },
+  law: { label: "tension law: strain, stress", command: "import", option: "--stress-strain" },
+  survey: { label: "survey" },
+  control: { label: "control points", command: "identify", option: "--control" },
+  forces: { label: "force measurements", command: "identify", option: "--forces" },
+  later: { label: "later survey" },
+  turned: { label: "turned before the next survey" },
+  target: { label: "target form", command: "plan", option: "--target" },
+  none: { label: "not used" },
+};
 
 export interface Input {
   role: Role;
@@ -15,13 +32,16 @@ export interface Job {
   settings: Record<string, string>;
   /** Written by the program, by their names. */
   outputs: Record<string, Uint8Array>;
+  /** Written by hand on the reports. */
+  notes: Notes;
 }
 
 const format = "taut-job";
+export const planFile = "plan.json";
 /** The largest file that the program reads. */
 const largest = 256 * 2 ** 20;
 
-export const newJob = (): Job => ({ inputs: new Map(), settings: {}, outputs: {} });
+export const newJob = (): Job => ({ inputs: new Map(), settings: {}, outputs: {}, notes: {} });
 
 function base64Of(bytes: Uint8Array): string {
   const part = 0x8000;
@@ -32,12 +52,15 @@ function base64Of(bytes: Uint8Array): string {
 
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 
-export const jobText = ({ inputs, settings, outputs }: Job): string => JSON.stringify({
+export const text = (bytes: Uint8Array | undefined): string => new TextDecoder().decode(bytes);
+
+export const jobText = ({ inputs, settings, outputs, notes }: Job): string => JSON.stringify({
   format,
   version: 1,
   inputs: [...inputs].map(([name, { role, bytes }]) => ({ name, role, content: base64Of(bytes) })),
   settings,
   outputs: Object.entries(outputs).map(([name, bytes]) => ({ name, content: base64Of(bytes) })),
+  notes,
 });
 
 interface JobFile {
@@ -46,38 +69,80 @@ interface JobFile {
   inputs: { name: string; role: Role; content: string }[];
   settings: Record<string, string>;
   outputs: { name: string; content: string }[];
+  notes?: Notes;
 }
 
 /** A JSON document's format; none of other files. */
 function formatOf(name: string, bytes: Uint8Array): string | null {
   if (!name.toLowerCase().endsWith(".json")) return null;
   try {
-    return String((JSON.parse(new TextDecoder().decode(bytes)) as { format?: unknown } | null)?.format ?? "");
+    return String((JSON.parse(text(bytes)) as { format?: unknown } | null)?.format ?? "");
   } catch {
     return null;
   }
 }
 
-/** The job in a file; null where that is another. Throws where it is a later version. */
+function isJobFile(file: JobFile): boolean {
+  const isText = (value: unknown): boolean => typeof value === "string";
+  const isFile = (one: { name: string; content: string } | null): boolean => isText(one?.name) && isText(one?.content);
+  return Array.isArray(file.inputs) && file.inputs.every((input) => isFile(input) && Object.hasOwn(roles, input.role)) &&
+    Array.isArray(file.outputs) && file.outputs.every(isFile) &&
+    typeof file.settings === "object" && file.settings !== null && Object.values(file.settings).every(isText);
+}
+
+/** The job in a file; null where that is another. Throws where it is a later version or broken. */
 export function readJob(name: string, bytes: Uint8Array): Job | null {
   if (formatOf(name, bytes) !== format) return null;
-  const file = JSON.parse(new TextDecoder().decode(bytes)) as JobFile;
+  const file = JSON.parse(text(bytes)) as JobFile;
   if (file.version !== 1) throw new Error(`${name} is a job of version ${String(file.version)}, expected 1`);
-  return {
-    inputs: new Map(file.inputs.map(({ name, role, content }) => [name, { role, bytes: bytesOf(content) }])),
-    settings: file.settings,
-    outputs: Object.fromEntries(file.outputs.map(({ name, content }) => [name, bytesOf(content)])),
-  };
+  if (!isJobFile(file)) throw new Error(`${name} is not a whole job: expected inputs, settings and outputs as this page saves them`);
+  try {
+    return {
+      inputs: new Map(file.inputs.map(({ name, role, content }) => [name, { role, bytes: bytesOf(content) }])),
+      settings: file.settings,
+      outputs: Object.fromEntries(file.outputs.map(({ name, content }) => [name, bytesOf(content)])),
+      notes: isNotes(file.notes) ? file.notes : {},
+    };
+  } catch {
+    throw new Error(`${name} is not a whole job: a file in it is not in base64`);
+  }
 }
 
 /** Whether a net must be imported first. */
 export const isForeign = (name: string, bytes: Uint8Array): boolean => formatOf(name, bytes) !== "taut-net";
 
-/** What a file may be for. */
-export function guessedRole(name: string, bytes: Uint8Array, hasNet: boolean): Role {
+/** The first file of a role. */
+export const namedIn = ({ inputs }: Job, role: Role): string | undefined => [...inputs].find(([, input]) => input.role === role)?.[0];
+
+/** What a file may be for: of surveys the first is the net as built, and any other a later one. */
+export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (name.toLowerCase().endsWith(".ply")) return "target";
-  if (/\.obj$/i.test(name)) return hasNet ? "target" : "net";
-  return formatOf(name, bytes) === null ? "survey" : "net";
+  if (/\.obj$/i.test(name)) return ![undefined, name].includes(namedIn(job, "net")) ? "target" : "net";
+  if (formatOf(name, bytes) !== null) return "net";
+  const head = text(bytes.subarray(0, 2000));
+  if (/\bstroke\b/.test(head)) return "turned";
+  if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
+  if (/^\s*strain\W+stress\b/m.test(head)) return "law";
+  if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
+  if (/^(?!.*\bx\b).*\b(q|q0|qopt|l0|EA)\b/m.test(head.split("\n", 1)[0]!)) return "edges";
+  return namedIn(job, "survey") !== undefined && (job.outputs[planFile] || namedIn(job, "later") !== undefined) ? "later" : "survey";
+}
+
+/** Options that give files of other roles to a command. */
+export const roleWords = ({ inputs }: Job, command: string): string[] =>
+  [...inputs].flatMap(([name, { role }]) => (roles[role].command === command ? [roles[role].option!, name] : []));
+
+/** Options that give the later surveys, each with what was turned before it. */
+export function epochWords({ inputs }: Job): string[] {
+  const words: string[] = [];
+  let turned = "";
+  for (const [name, { role }] of inputs) {
+    if (role === "turned") turned = name;
+    if (role !== "later") continue;
+    words.push("--epoch", turned ? `${name}:${turned}` : name);
+    turned = "";
+  }
+  return words;
 }
 
 /** A file's content under a name without folders. Throws for one that the program would refuse. */

@@ -3,27 +3,40 @@
 //
 // The way of a site visit: files, what taut read, lengths, turns.
 
+import { turnedCsv } from "../src/as_made";
 import { byId, h, section } from "../src/dom";
-import { contentOf, guessedRole, isForeign, type Job, jobText, newJob, readJob, type Role } from "./job";
+import type { Notes } from "../src/notes";
+import type { Plan } from "../src/result";
+import { Frames } from "./frames";
+import { contentOf, epochWords, guessedRole, isForeign, type Job, jobText, namedIn, newJob, planFile, readJob, type Role, roles, roleWords, text } from "./job";
 import { Cancelled, module, run } from "./program";
-import { fields, identifySettings, importSettings, planSettings, shown, wordsOf } from "./settings";
+import { fields as settingFields, forceSettings, identifySettings, importSettings, planSettings, type Setting, shown, wordsOf } from "./settings";
+import { keep, keptJob } from "./store";
 import { Work } from "./work";
 
 const netFile = "net.json";
 const resultFile = "result.json";
-const planFile = "plan.json";
 const turnsFile = "turns.csv";
+/** More free nodes than this take minutes and over a gigabyte in a browser. */
+const manyNodes = 2000;
 
 let job: Job = newJob();
-const text = (bytes: Uint8Array | undefined): string => new TextDecoder().decode(bytes);
+const named = (role: Role): string | undefined => namedIn(job, role);
+
+let keeping = 0;
+/** Keeps the job in the browser a moment after a change. */
+function changed(): void {
+  clearTimeout(keeping);
+  keeping = window.setTimeout(() => void (async () => {
+    byId("kept").textContent = (await keep(job)) ? "This browser keeps the job, also when the page is closed." : "This browser keeps nothing of this page: save the job before you close it.";
+  })(), 300);
+}
 
 function save(name: string, content: Uint8Array | string): void {
   const link = h("a", { href: URL.createObjectURL(new Blob([content as BlobPart])), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
-
-const named = (role: Role): string | undefined => [...job.inputs].find(([, input]) => input.role === role)?.[0];
 
 /** Everything that a command may read. */
 const filesOf = (): Record<string, Uint8Array> => ({
@@ -38,93 +51,143 @@ function netName(): string {
   return isForeign(name, job.inputs.get(name)!.bytes) ? netFile : name;
 }
 
-/** The report of a result in a frame of its own, which can reach neither this page nor anything else. */
+const frames = new Frames(() => job.notes, (change: Notes) => {
+  job.notes = { ...job.notes, ...change };
+  showMade();
+  changed();
+});
+
+/** The report of a result, and what can be saved of it. */
 async function showReport(into: HTMLElement, result: string): Promise<void> {
-  const { code, stderr, files } = await run(["report", result, "-o", "report.html"], { [result]: job.outputs[result]! });
-  const report = files["report.html"];
-  if (code !== 0 || !report) throw new Error(stderr);
-  into.replaceChildren(
-    h("iframe", { srcdoc: text(report), sandbox: "allow-scripts allow-downloads allow-modals", title: `Report of ${result}` }),
-    h("div", { class: "buttons no-print" },
-      h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), report) }, "Save report"),
-      h("button", { type: "button", onclick: () => save(result, job.outputs[result]!) }, "Save result"),
-      result === planFile ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null));
+  const isPlan = result === planFile;
+  const report = await frames.show(into, result, job.outputs[result]!, isPlan ? ["project", "engineer", "strokes"] : ["project", "engineer"]);
+  into.append(h("div", { class: "buttons no-print" },
+    h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), report) }, "Save report"),
+    h("button", { type: "button", onclick: () => save(result, job.outputs[result]!) }, "Save result"),
+    isPlan ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null));
   into.scrollIntoView({ block: "start" });  // in a frame that is not seen nothing is drawn
 }
 
 /** Runs a command whose outputs the job keeps. Exit code 1 comes with a result, unless there is none. */
-async function command(work: Work, words: string[]): Promise<void> {
+async function command(work: Work, words: string[]): Promise<string> {
   work.showCommand(shown(words));
   const { code, stdout, stderr, files } = await run(words, filesOf(), work);
   Object.assign(job.outputs, files);
+  changed();
   work.showOutput(stdout, stderr);
   if (code !== 0 && Object.keys(files).length === 0) throw new Error(stderr.trim() || `the program ended with ${code}`);
+  return stdout;
 }
 
 async function read(work: Work): Promise<void> {
   const name = named("net");
   if (name !== undefined && netName() !== name) {
-    await command(work, ["import", name, "-o", netFile, ...wordsOf(importSettings, job.settings)]);
+    await command(work, ["import", name, ...roleWords(job, "import"), "-o", netFile, ...wordsOf(importSettings, job.settings)]);
   }
   const survey = named("survey");
   const taken = ["--noise", "--unit", "--frame", "--offset"];
-  const words = survey === undefined ? [] : ["--survey", survey, ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
-  await command(work, ["inspect", netName(), ...words]);
+  const control = named("control");
+  const words = survey === undefined ? [] : ["--survey", survey, ...(control ? ["--control", control] : []), ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
+  const stdout = await command(work, ["inspect", netName(), ...words]);
+  const nodes = Number(/^net .*: (\d+) free node/m.exec(stdout)?.[1] ?? 0);
+  byId("size").textContent = nodes > manyNodes
+    ? `This net has ${nodes} free nodes. In a browser it may take minutes and more memory than there is. taut for Linux does the same with the same files, and faster.` : "";
+}
+
+/** Forgets results from lengths or turns on, and what was written on the plan. */
+function forget(from: "lengths" | "turns"): void {
+  for (const name of from === "lengths" ? [resultFile, planFile, turnsFile] : [planFile, turnsFile]) delete job.outputs[name];
+  for (const id of from === "lengths" ? ["lengths", "turns"] : ["turns"]) byId(id).replaceChildren();
+  delete job.notes.strokes;
+  showMade();
 }
 
 async function identify(work: Work): Promise<void> {
   const survey = named("survey");
   if (survey === undefined) throw new Error("There is no survey yet: drop its file.");
-  for (const name of [resultFile, planFile, turnsFile]) delete job.outputs[name];
-  for (const id of ["lengths", "turns"]) byId(id).replaceChildren();
+  forget("lengths");
   planning.clear();
-  await command(work, ["identify", netName(), survey, ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
+  await command(work, ["identify", netName(), survey, ...epochWords(job), ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
   await showReport(byId("lengths"), resultFile);
 }
 
 async function plan(work: Work): Promise<void> {
   if (!job.outputs[resultFile]) throw new Error("Identify first: a plan starts from the lengths.");
-  for (const name of [planFile, turnsFile]) delete job.outputs[name];
-  byId("turns").replaceChildren();
-  const target = named("target");
-  const words = target === undefined ? [] : ["--target", target];
-  await command(work, ["plan", netName(), resultFile, ...words, ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
+  forget("turns");
+  await command(work, ["plan", netName(), resultFile, ...roleWords(job, "plan"), ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
   await showReport(byId("turns"), planFile);
+  showMade();
 }
 
 const reading = new Work("Read again", read);
 const identifying = new Work("Identify", identify);
 const planning = new Work("Plan", plan);
 
-const roles: Record<Role, string> = { net: "net", survey: "survey", target: "target form", none: "not used" };
+/** Roles of which a job has many files; of the others it has one, the last. */
+const many: Role[] = ["later", "turned", "none"];
 
 function showFiles(): void {
   const list = [...job.inputs].map(([name, input]) => h("li", {},
     h("code", {}, name),
     h("select", {
       "aria-label": `What ${name} is`,
-      onchange: ({ target }: Event) => { input.role = (target as HTMLSelectElement).value as Role; filesChanged(); },
-    }, ...Object.entries(roles).map(([role, label]) => h("option", { value: role, selected: role === input.role }, label))),
+      onchange: ({ target }: Event) => { setRole(name, (target as HTMLSelectElement).value as Role); filesChanged(); },
+    }, ...Object.entries(roles).map(([role, { label }]) => h("option", { value: role, selected: role === input.role }, label))),
     h("button", { type: "button", onclick: () => { job.inputs.delete(name); filesChanged(); } }, "Remove")));
   byId("files").replaceChildren(...list);
   const net = named("net");
+  byId("force-settings").hidden = named("forces") === undefined;
   byId("import").hidden = net === undefined || !isForeign(net, job.inputs.get(net)!.bytes);
+}
+
+const turnsOf = (): Pick<Plan, "turns"> => (job.outputs[planFile] ? (JSON.parse(text(job.outputs[planFile])) as Plan) : { turns: [] });
+
+/** What comes after the turns: how many are ticked off, and the next survey. */
+function showMade(): void {
+  const { turns } = turnsOf();
+  const made = (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
+  byId("made").textContent = turns.length === 0 ? "Make a plan first. Its list of turns is ticked off in the report above."
+    : `${made} of ${turns.length} turns are ticked off in the list above. Turn, survey again, and drop the next survey here: what is ticked off counts as turned before it.`;
 }
 
 /** Results of other files are gone. */
 function filesChanged(): void {
   job.outputs = {};
-  for (const id of ["lengths", "turns"]) byId(id).replaceChildren();
+  forget("lengths");
   for (const work of [reading, identifying, planning]) work.clear();
   showFiles();
+  changed();
   if (named("net") !== undefined) void reading.start();
 }
 
-/** One role has one file: the last one. */
+function setRole(name: string, role: Role): void {
+  if (!many.includes(role)) for (const input of job.inputs.values()) if (input.role === role) input.role = "none";
+  job.inputs.get(name)!.role = role;
+}
+
+/** A name that no other file has: two surveys are often called the same. */
+function freeName(name: string, bytes: Uint8Array): string {
+  const [, stem, ending] = /^(.*?)(\.[^.]*)?$/.exec(name) as unknown as [string, string, string?];
+  const isFree = (one: string): boolean => !job.inputs.has(one) || text(job.inputs.get(one)!.bytes) === text(bytes);
+  let free = name;
+  for (let i = 2; !isFree(free); ++i) free = `${stem}-${i}${ending ?? ""}`;
+  return free;
+}
+
 function add(name: string, bytes: Uint8Array): void {
-  const role = guessedRole(name, bytes, named("net") !== undefined);
-  for (const input of job.inputs.values()) if (input.role === role) input.role = "none";
-  job.inputs.set(name, { role, bytes });
+  const role = guessedRole(name, bytes, job);
+  if (role === "later") {
+    const turned = turnedCsv(turnsOf(), job.notes.strokes);
+    if (turned !== null) {
+      const made = new TextEncoder().encode(turned);
+      job.inputs.set(freeName("turned.csv", made), { role: "turned", bytes: made });
+    }
+  }
+  // A file that comes again takes the place of the old one, unless it is another survey.
+  const own = role === "later" ? freeName(name, bytes) : name;
+  job.inputs.delete(own);
+  job.inputs.set(own, { role: "none", bytes });
+  setRole(own, role);
 }
 
 /** Does something with files, and shows why it failed. */
@@ -150,12 +213,19 @@ async function take(files: Iterable<File>): Promise<void> {
 
 async function open(opened: Job): Promise<void> {
   job = opened;
+  const { outputs, notes } = job;
   showSettings();
-  const outputs = job.outputs;
   filesChanged();
   job.outputs = outputs;
-  if (outputs[resultFile]) await showReport(byId("lengths"), resultFile);
-  if (outputs[planFile]) await showReport(byId("turns"), planFile);
+  job.notes = notes;
+  try {
+    if (outputs[resultFile]) await showReport(byId("lengths"), resultFile);
+    if (outputs[planFile]) await showReport(byId("turns"), planFile);
+  } catch (error) {
+    job.outputs = {};  // they are not what the program writes
+    throw error;
+  }
+  showMade();
 }
 
 /** The built-in net, and a survey of it as it might be built. */
@@ -171,33 +241,57 @@ async function example(): Promise<void> {
 }
 
 function showSettings(): void {
+  const fields = (settings: Setting[], values: Record<string, string>): HTMLElement => settingFields(settings, values, changed);
   byId("import").replaceChildren(h("p", { class: "quiet" }, "The net is another program's. What its file does not say:"), fields(importSettings, job.settings));
+  byId("force-settings").replaceChildren(fields(forceSettings, job.settings));
   byId("identify-settings").replaceChildren(fields(identifySettings, job.settings));
   byId("plan-settings").replaceChildren(fields(planSettings, job.settings));
 }
 
-function build(): void {
-  const picker = h("input", { type: "file", multiple: true, id: "pick", onchange: ({ target }: Event) => void attempt(() => take((target as HTMLInputElement).files ?? [])) });
-  const drop = h("label", { id: "drop", for: "pick" }, h("strong", {}, "Drop a net and a survey here"), h("span", {}, "or pick files. They stay on this machine."), picker);
-  for (const type of ["dragenter", "dragover"]) drop.addEventListener(type, (event) => { event.preventDefault(); drop.classList.add("over"); });
-  for (const type of ["dragleave", "drop"]) drop.addEventListener(type, () => drop.classList.remove("over"));
-  drop.addEventListener("drop", (event) => { event.preventDefault(); const files = [...(event.dataTransfer?.files ?? [])]; void attempt(() => take(files)); });
+/** A place for files: they are picked, or dropped on it. */
+function dropPlace(id: string, title: string, hint: string): HTMLElement {
+  const picker = h("input", { type: "file", multiple: true, id: `${id}-pick`, onchange: ({ target }: Event) => {
+    const input = target as HTMLInputElement;
+    const files = [...(input.files ?? [])];
+    input.value = "";  // so that the same file can be picked again
+    void attempt(() => take(files));
+  } });
+  const place = h("label", { id, class: "drop", for: `${id}-pick` }, h("strong", {}, title), h("span", {}, hint), picker);
+  for (const type of ["dragenter", "dragover"]) place.addEventListener(type, (event) => { event.preventDefault(); place.classList.add("over"); });
+  for (const type of ["dragleave", "drop"]) place.addEventListener(type, () => place.classList.remove("over"));
+  place.addEventListener("drop", (event) => { event.preventDefault(); const files = [...(event.dataTransfer?.files ?? [])]; void attempt(() => take(files)); });
+  return place;
+}
 
+function startAnew(): void {
+  job = newJob();
+  showSettings();
+  filesChanged();
+}
+
+function build(): void {
   byId("app").replaceChildren(
-    section("inputs", "1. Files", drop, h("p", { id: "problem", class: "problem", role: "alert" }), h("ul", { id: "files" }), h("div", { id: "import", hidden: true }),
+    section("inputs", "1. Files", dropPlace("drop", "Drop a net and a survey here", "or pick files. They stay on this machine."), h("p", { id: "problem", class: "problem", role: "alert" }), h("ul", { id: "files" }), h("div", { id: "import", hidden: true }),
       h("div", { class: "buttons" },
         h("button", { type: "button", id: "example", onclick: () => void attempt(example) }, "Load the example"),
-        h("button", { type: "button", id: "save-job", onclick: () => save("taut-job.json", jobText(job)) }, "Save this job"))),
-    section("read", "2. What taut read", reading.element),
-    section("identification", "3. Lengths", h("div", { id: "identify-settings" }), identifying.element, h("div", { id: "lengths" })),
-    section("planning", "4. Turns", h("div", { id: "plan-settings" }), planning.element, h("div", { id: "turns" })));
+        h("button", { type: "button", id: "save-job", onclick: () => save("taut-job.json", jobText(job)) }, "Save this job"),
+        h("button", { type: "button", id: "new-job", onclick: startAnew }, "New job")),
+      h("p", { id: "kept", class: "quiet", role: "status" })),
+    section("read", "2. What taut read", reading.element, h("p", { id: "size", class: "status", role: "status" })),
+    section("identification", "3. Lengths", h("div", { id: "identify-settings" }), h("div", { id: "force-settings", hidden: true }), identifying.element, h("div", { id: "lengths" })),
+    section("planning", "4. Turns", h("div", { id: "plan-settings" }), planning.element, h("div", { id: "turns" })),
+    section("next", "5. As made, and the next survey", h("p", { id: "made", role: "status" }), dropPlace("drop-next", "Drop the next survey here", "All surveys together determine the lengths; the next plan starts from the net as it is now.")));
+  reading.expand();
   showSettings();
+  showMade();
 }
 
 async function start(): Promise<void> {
   try {
     build();
     await module;
+    const kept = await keptJob();
+    if (kept && kept.inputs.size > 0) await attempt(() => open(kept));
     document.body.dataset.ready = "true";
   } catch (error) {
     byId("app").prepend(h("p", { class: "failure", role: "alert" }, `taut cannot run in this browser: ${error instanceof Error ? error.message : String(error)}`));

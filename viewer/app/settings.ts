@@ -35,6 +35,11 @@ export const planSettings: Setting[] = [
   { option: "--crews", label: "Crews", preset: "1" },
 ];
 
+/** Of force measurements. */
+export const forceSettings: Setting[] = [
+  { option: "--force-unit", label: "Unit of the measured forces", preset: "N", choices: ["N", "kN"] },
+];
+
 export const importSettings: Setting[] = [
   { option: "--axial-stiffness", label: "Axial stiffness EA", preset: "the file's", hint: "200kN" },
   { option: "--young", label: "Young's modulus", preset: "the file's", hint: "205GPa" },
@@ -43,11 +48,11 @@ export const importSettings: Setting[] = [
   { option: "--supports", label: "Further supports", preset: "none", choices: ["boundary"] },
 ];
 
-/** Fields for settings, whose values they keep in `values`. */
-export function fields(settings: Setting[], values: Record<string, string>): HTMLElement {
+/** Fields for settings, whose values they keep in `values`. @param changed called after each change */
+export function fields(settings: Setting[], values: Record<string, string>, changed: () => void): HTMLElement {
   return h("div", { class: "fields" }, ...settings.map((setting) => {
     const { option, label, preset, hint, choices } = setting;
-    const keep = ({ target }: Event): void => { values[option] = (target as HTMLInputElement | HTMLSelectElement).value.trim(); };
+    const keep = ({ target }: Event): void => { values[option] = (target as HTMLInputElement | HTMLSelectElement).value.trim(); changed(); };
     const control = choices
       ? h("select", { name: option, onchange: keep }, ...["", ...choices].map((choice) => h("option", { value: choice, selected: choice === (values[option] ?? "") }, choice || preset)))
       : h("input", { name: option, type: "text", placeholder: preset, value: values[option] ?? "", oninput: keep, autocomplete: "off", spellcheck: "false" });

@@ -23,6 +23,11 @@ export class Work implements RunOptions {
     this.element = h("div", { class: "work" }, h("div", { class: "buttons" }, this.button, this.cancel), this.status, this.details);
   }
 
+  /** Shows at once what the program said. */
+  expand(): void {
+    this.details.open = true;
+  }
+
   /** Does the work; a run of it that has not ended is cancelled. */
   async start(): Promise<void> {
     this.clear();

@@ -17,8 +17,11 @@ const mm: Scale = { unit: "mm", factor: 1e3 };
 const timesChance: Scale = { unit: "times what chance allows", factor: 1 };
 const percent: Scale = { unit: "%", factor: 100 };
 
-/** What each kind of finding is about, and how its value is shown; values without a scale are not. */
-const kinds: Record<Finding["kind"], { name: string; scale?: Scale }> = {
+/** How to bring an edge or a node into sight; null where the net has none of that name. */
+export type ShowItem = (of: "edge" | "node", id: string) => (() => void) | null;
+
+/** What each kind of finding is about: of what its ids are, and how its value is shown; values without a scale are not. */
+const kinds: Record<Finding["kind"], { name: string; of?: "edge" | "node"; scale?: Scale }> = {
   no_convergence: { name: "Convergence" },
   survey_scale: { name: "Scale of the survey", scale: { unit: "ppm", factor: 1e6 } },
   survey_frame: { name: "Frame of the survey", scale: mm },
@@ -26,24 +29,24 @@ const kinds: Record<Finding["kind"], { name: string; scale?: Scale }> = {
   prior: { name: "Prior of the length deviations", scale: { ...mm, before: "std " } },
   common_deviation: { name: "Common length deviation", scale: mm },
   run_scales: { name: "Scales of cable runs", scale: { ...percent, before: "std " } },
-  length: { name: "Length outlier", scale: mm },
-  slip: { name: "Slip at a clamp", scale: mm },
-  swapped_cables: { name: "Swapped cables", scale: mm },
-  adjustable_edge: { name: "Boundary outlier, adjustable edge", scale: mm },
-  support: { name: "Boundary outlier, support", scale: mm },
+  length: { name: "Length outlier", of: "edge", scale: mm },
+  slip: { name: "Slip at a clamp", of: "edge", scale: mm },
+  swapped_cables: { name: "Swapped cables", of: "edge", scale: mm },
+  adjustable_edge: { name: "Boundary outlier, adjustable edge", of: "edge", scale: mm },
+  support: { name: "Boundary outlier, support", of: "node", scale: mm },
   boundary: { name: "Boundary outliers" },
-  target: { name: "Target", scale: mm },
-  adjacent_targets: { name: "Adjacent targets" },
-  swapped_targets: { name: "Swapped targets" },
-  target_far_from_node: { name: "Target far from its node", scale: mm },
-  misplaced_names: { name: "Misplaced names" },
+  target: { name: "Target", of: "node", scale: mm },
+  adjacent_targets: { name: "Adjacent targets", of: "node" },
+  swapped_targets: { name: "Swapped targets", of: "node" },
+  target_far_from_node: { name: "Target far from its node", of: "node", scale: mm },
+  misplaced_names: { name: "Misplaced names", of: "node" },
   predicted_form: { name: "Predicted form", scale: mm },
-  slack_marks: { name: "Marks of slack and taut edges" },
+  slack_marks: { name: "Marks of slack and taut edges", of: "edge" },
   force_scale: { name: "Scale of the force measurements", scale: percent },
-  force_measurement: { name: "Force measurement", scale: { unit: "kN", factor: 1e-3 } },
+  force_measurement: { name: "Force measurement", of: "edge", scale: { unit: "kN", factor: 1e-3 } },
   uncertain_parameter: { name: "Uncertain parameter", scale: { unit: "times the assumed std", factor: 1 } },
   tensions: { name: "Tensions" },
-  length_change: { name: "Length change", scale: mm },
+  length_change: { name: "Length change", of: "edge", scale: mm },
   turns: { name: "Turns", scale: { unit: "times the given strokes", factor: 1 } },
   actuator_std: { name: "Excess actuator std", scale: mm },
   epoch: { name: "Epoch", scale: timesChance },
@@ -64,14 +67,23 @@ const idWords = (ids: string[]): string => ids.slice(0, mostIds).join(", ") + (i
 const optionOf = ({ remedy }: Finding): string => (remedy ? `--${remedy.parameter} ${remedy.value}`.trim() : "");
 const adviceOf = (finding: Finding): string => `${finding.next} ${optionOf(finding)}`.trim();
 
+/** Names of a finding, each a button that brings it into sight. */
+function idButtons({ kind, ids }: Finding, show: ShowItem): (HTMLElement | string)[] {
+  const { of } = kinds[kind] ?? kinds.other;
+  return ids.slice(0, mostIds).flatMap((id, i) => {
+    const onclick = of && show(of, id);
+    return [i > 0 ? ", " : " ", onclick ? h("button", { type: "button", class: "link", title: "Show it in the net", onclick }, id) : id];
+  }).concat(ids.length > mostIds ? [` and ${ids.length - mostIds} more`] : []);
+}
+
 /** One finding: severity, kind, ids and value; then why, and what to do about it. @param withAdvice whether the next one does not give the same */
-function findingItem(finding: Finding, withAdvice: boolean): HTMLElement {
-  const { kind, severity, ids, confounded_with } = finding;
-  const name = `${(kinds[kind] ?? kinds.other).name}${ids.length > 0 ? ` ${idWords(ids)}` : ""}`;
+function findingItem(finding: Finding, withAdvice: boolean, show: ShowItem): HTMLElement {
+  const { kind, severity, confounded_with } = finding;
+  const { name } = kinds[kind] ?? kinds.other;
   const value = valueWords(finding);
   const option = optionOf(finding);
   return h("li", { "data-kind": kind },
-    h("div", {}, h("span", { class: `tag ${severity}` }, severity === "passed" ? "note" : severity), " ", h("strong", {}, name), value ? `: ${value}` : ""),
+    h("div", {}, h("span", { class: `tag ${severity}` }, severity === "passed" ? "note" : severity), " ", h("strong", {}, name, ...idButtons(finding, show)), value ? `: ${value}` : ""),
     h("div", {}, finding.reason),
     confounded_with.length > 0 ? h("div", { class: "quiet" }, `Confounded with ${idWords(confounded_with)}.`) : null,
     withAdvice && adviceOf(finding) ? h("div", { class: "next" }, finding.next, option ? " " : "", option ? h("code", {}, option) : null) : null);
@@ -81,12 +93,12 @@ function findingItem(finding: Finding, withAdvice: boolean): HTMLElement {
 const firstOfEachKind = (findings: Finding[]): Finding[] =>
   findings.filter(({ kind }, i) => findings.slice(0, i).filter((other) => other.kind === kind).length < 6);
 
-function findingList(findings: Finding[]): HTMLElement[] {
+function findingList(findings: Finding[], show: ShowItem): HTMLElement[] {
   if (findings.length === 0) return [];
   const shown = firstOfEachKind(findings);
   const hidden = findings.length - shown.length;
   return [
-    h("ul", { class: "findings", "aria-label": "Findings" }, ...shown.map((finding, i) => findingItem(finding, shown[i + 1] === undefined || adviceOf(shown[i + 1]!) !== adviceOf(finding)))),
+    h("ul", { class: "findings", "aria-label": "Findings" }, ...shown.map((finding, i) => findingItem(finding, shown[i + 1] === undefined || adviceOf(shown[i + 1]!) !== adviceOf(finding), show))),
     ...(hidden > 0 ? [h("p", { class: "quiet" }, `${hidden} more findings of these kinds are in the result file.`)] : []),
   ];
 }
@@ -114,7 +126,7 @@ function uncertainWords(assumed: Assumption[] = []): string {
 }
 
 /** The verdict of all checks, what they found, and what they would not have found. */
-export function checksBox(result: Result): HTMLElement | null {
+export function checksBox(result: Result, show: ShowItem): HTMLElement | null {
   if (!("trust" in result) || !result.trust) return null;
   const { verdict, reasons = [] } = result.trust;
   const found = "findings" in result ? result.findings : undefined;
@@ -125,7 +137,7 @@ export function checksBox(result: Result): HTMLElement | null {
   return h("div", { class: `trust ${verdict}` },
     h("p", {}, h("strong", {}, `Checks: ${verdict}.`), ...(isFirst ? [" ", smallestPart] : [])),
     // Before version 0.3 a result had reasons, but no findings.
-    ...(found ? findingList(found) : reasons.map((reason) => h("p", {}, `${reason}.`))),
+    ...(found ? findingList(found, show) : reasons.map((reason) => h("p", {}, `${reason}.`))),
     !isFirst && smallestPart ? h("p", {}, smallestPart) : null,
-    uncertain ? h("p", { id: "assumptions", class: "quiet" }, uncertain, h("code", {}, "--uncertain NAME:WIDTH"), " changes one.") : null);
+    uncertain ? h("p", { id: "assumptions", class: "quiet" }, uncertain, "Other widths are given as uncertain parameters (", h("code", {}, "--uncertain NAME:WIDTH"), ").") : null);
 }

@@ -58,7 +58,7 @@ export function listsSection(result: Identification, model: Model, selection: Se
   const list = (heading: string, of: "edge" | "node", items: Entry[], none: string, note = ""): HTMLElement => {
     const name = (index: number): string => (of === "edge" ? model.edgeId(index) : model.nodeId(index));
     const entries = items.slice(0, most).map(({ index, text, detail }) =>
-      h("li", {}, h("button", { type: "button", class: "chip", title: detail, onclick: () => selection.select({ of, index }) }, name(index), text ? h("small", {}, ` ${text}`) : null)));
+      h("li", {}, h("button", { type: "button", class: "chip", title: detail, onclick: () => selection.show({ of, index }) }, name(index), text ? h("small", {}, ` ${text}`) : null)));
     return h("div", { class: "list" },
       h("h3", {}, heading, h("span", { class: "count" }, String(items.length))),
       items.length === 0 ? h("p", { class: "quiet" }, none) : h("ul", {}, ...entries),
@@ -80,6 +80,7 @@ export function listsSection(result: Identification, model: Model, selection: Se
     return std ? { text: `± ${millimetres(Math.max(...std))} mm`, detail: "largest posterior standard deviation of a coordinate" } : {};
   };
   const unmatched = (survey.unmatched ?? []).map((u) => u.swapped_with === undefined ? u.id : `${u.id}, swapped with ${u.swapped_with}`);
+  const warnings = survey.warnings ?? [];
   return section("lists", "Needs attention", h("div", { class: "lists" },
     list("Slack edges", "edge", slack, "None: every cable is in tension.",
       "Lower bound of the length deviation. No statistic of the deviations includes them."),
@@ -88,7 +89,9 @@ export function listsSection(result: Identification, model: Model, selection: Se
     list("Nodes not surveyed", "node", (survey.missing_nodes ?? []).map((index): Entry => ({ index, ...uncertaintyOf(index) })), survey.missing > 0 ? `${survey.missing}; the result does not name them.` : "None: every free node was surveyed."),
     h("div", { class: "list" }, h("h3", {}, "Targets without a node", h("span", { class: "count" }, String(unmatched.length))),
       unmatched.length === 0 ? h("p", { class: "quiet" }, "None: every target belongs to a node.")
-        : h("ul", {}, ...unmatched.slice(0, most).map((text) => h("li", { class: "chip" }, text))))));
+        : h("ul", {}, ...unmatched.slice(0, most).map((text) => h("li", { class: "chip" }, text))))),
+    warnings.length > 0 ? h("h3", {}, "Warnings from reading the survey") : null,
+    ...warnings.map((text) => h("p", {}, text)));
 }
 
 /** The fit of the survey's frame to the control points; null for a survey in the net's frame. */

@@ -42,3 +42,9 @@ export const excludedTargets = (count: number): string => `${counted(count, "tar
 
 /** NaN of none. */
 export const rootMeanSquare = (values: number[]): number => Math.sqrt(values.reduce((sum, v) => sum + v * v, 0) / values.length);
+
+/** The largest of 1, 2 or 5 times a power of ten that is no larger. */
+export function nice(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1);
+}

@@ -3,12 +3,14 @@
 
 import { roundsSection } from "./control_sections";
 import { comparisonSection, frameSection, listsSection, paperSection } from "./details";
+import { crewsSection } from "./crew_list";
 import { byId, h } from "./dom";
 import { figuresSection } from "./figures";
-import { type Model, modelOfIdentification, modelOfStudy } from "./model";
+import { indexOf, type Model, modelOfIdentification, modelOfStudy } from "./model";
 import { netSection } from "./net_section";
+import { keyOf, Notebook } from "./notes";
 import { modelOfPlan } from "./plan_model";
-import { crewsSection, planSection } from "./plan_sections";
+import { planSection } from "./plan_sections";
 import { readResult, type Result } from "./result";
 import { Selection } from "./selection";
 import { settingsSection } from "./settings";
@@ -39,7 +41,11 @@ async function show(result: Result): Promise<void> {
   const figures = figuresSection(result, model, selection);
   main.append(figures);
   let start = (): void => {};
-  main.before(summary(result));
+  const notebook = new Notebook(keyOf(result));
+  main.before(summary(result, notebook, (of, id) => {
+    const index = model ? indexOf(model, of, id) : -1;
+    return index < 0 ? null : () => selection.show({ of, index });
+  }));
   if (model) {
     const first = firstShown[result.format as keyof typeof firstShown];
     const net = netSection(model, selection, first.edge);
@@ -52,7 +58,7 @@ async function show(result: Result): Promise<void> {
     }
     if (result.format === "taut-plan") {
       net.element.before(planSection(result));
-      main.append(crewsSection(result));
+      main.append(crewsSection(result, model, notebook));
     }
     main.append(tablesSection(model, selection, first));
   } else if (result.format === "taut-comparison") {

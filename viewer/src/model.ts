@@ -117,6 +117,14 @@ export function netOf(net: NetFile, form: [number, number, number][]): Model {
   };
 }
 
+/** The edge or node of a name; -1 of none. */
+export function indexOf(model: Model, of: "edge" | "node", id: string): number {
+  const count = of === "edge" ? model.edgeCount : model.nodeCount;
+  const name = of === "edge" ? model.edgeId : model.nodeId;
+  for (let index = 0; index < count; ++index) if (name(index) === id) return index;
+  return -1;
+}
+
 function tensionAndStrain(net: NetFile, tension: number[], which: string, key: string): Quantity[] {
   const stiffness = (e: number) => (typeof net.axial_stiffness === "number" ? net.axial_stiffness : net.axial_stiffness[e]!);
   return [

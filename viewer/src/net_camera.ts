@@ -48,6 +48,24 @@ export class NetCamera {
     this.fit();
   }
 
+  /** Brings a place to the middle of the picture, nearer than the whole net. */
+  lookAt(place: Vector3): void {
+    const camera = this.current;
+    const offset = camera.position.clone().sub(this.controls.target);
+    this.controls.target.copy(place);
+    if (camera instanceof OrthographicCamera) camera.zoom = Math.max(camera.zoom, 5);
+    else offset.setLength(Math.min(offset.length(), 0.9 * this.size));
+    camera.position.copy(place).add(offset);
+    camera.updateProjectionMatrix();
+    this.controls.update();
+  }
+
+  /** In a picture that is so many pixels high; null in perspective. */
+  metresPerPixel(height: number): number | null {
+    const camera = this.current;
+    return camera instanceof OrthographicCamera ? (2 * this.size) / camera.zoom / height : null;
+  }
+
   /** Turns by angles, moves nearer by a factor. */
   turn(azimuth: number, polar: number, nearer = 1): void {
     const camera = this.current;

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: MIT
 
 import { h } from "./dom";
+import { nice } from "./format";
 import { legend, strokeLegend } from "./legend";
 import type { Displacement, Model, Quantity } from "./model";
 import type { Viewpoint } from "./net_camera";
+import { type Labelled, labelled } from "./net_labels";
 import type { NetView } from "./view";
-
-/** The largest of 1, 2 or 5 times a power of ten that is no larger. */
-function nice(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value));
-  return power * (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1);
-}
 
 /** The factor at which the largest displacement of its scale is a fifth of the net. */
 function largestFactor(model: Model, displacement: Displacement): number {
@@ -45,6 +41,7 @@ export class NetControls {
   private readonly moved = h("select", { id: "displacement" }, h("option", { value: -1 }, "none"));
   private readonly slider = h("input", { type: "range", id: "exaggeration", min: 0, max: 100, value: 50, disabled: true });
   private readonly factor = h("output", { for: "exaggeration" });
+  private readonly names = h("select", { id: "labels" }, ...labelled.map((which) => h("option", {}, which)));
   private readonly viewpoints: HTMLElement[];
   private view: NetView | null = null;
 
@@ -62,11 +59,13 @@ export class NetControls {
     this.colourBy.addEventListener("change", () => this.colour());
     this.moved.addEventListener("change", () => this.move());
     this.slider.addEventListener("input", () => this.move());
+    this.names.addEventListener("change", () => this.view?.setLabels(this.names.value as Labelled));
     this.element = h("div", { class: "controls" },
       field("Colour by", this.colourBy), this.key,
       model.strokes.size > 0 ? strokeLegend(model) : null,
       field("Show displacement", this.moved),
       field("Exaggeration", h("span", { class: "slider" }, this.slider, this.factor)),
+      field("Labels", this.names),
       h("div", { class: "buttons no-print", role: "group", "aria-label": "Viewpoint" }, ...this.viewpoints));
     this.key.append(legend(model, this.quantity));
   }

@@ -12,7 +12,7 @@ import type { Item } from "./selection";
 import { mostInPlan, thinned, thinningWords } from "./thinning";
 
 type Axis = 0 | 1 | 2;
-const axisNames = ["x", "y", "z"] as const;
+export const axisNames = ["x", "y", "z"] as const;
 
 /** The side from which a net shows most of itself. */
 export interface Side {
@@ -36,7 +36,7 @@ export function sideOf(form: Float32Array): Side {
 /** Where all nodes stand in a drawing. */
 type Place = (node: number) => [number, number];
 
-const placeIn = (form: Float32Array, { right, up }: Side): Place => (node) => [form[3 * node + right]!, form[3 * node + up]!];
+export const placeIn = (form: Float32Array, { right, up }: Side): Place => (node) => [form[3 * node + right]!, form[3 * node + up]!];
 
 /** All nodes, with a border; a net that is flat in one direction still gets a strip to stand in. */
 function wholeOf(model: Model, place: Place): View {

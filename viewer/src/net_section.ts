@@ -42,11 +42,14 @@ export function netSection(model: Model, selection: Selection, first: string): {
     }
     describe(view.canvas);
     controls.connect(view);
+    selection.onShow((item) => view.lookAt(item));
     print(container, view);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) => view.setTheme(event.matches));
     document.body.append(tooltip(model, selection, () => controls.quantity));
     // For users of the browser's console, and for the tests.
     Object.assign(container, { netView: view });
   };
-  return { element: section("net", "The net", h("div", { class: "view" }, container, panel)), start };
+  const element = section("net", "The net", h("div", { class: "view" }, container, panel));
+  selection.onShow(() => element.scrollIntoView({ block: "start" }));
+  return { element, start };
 }

@@ -25,10 +25,29 @@ function tensions(plan: Plan): Quantity[] {
   return [
     quantity({ ...tension, key: "tension_built", label: "tension, as built", head: "tension, built", values: of((t) => t.as_built) }),
     quantity({ ...tension, key: "tension_planned", label: "tension, as planned", head: "tension, planned", values: of((t) => t.planned), ...interval }),
+    ...(edges.some((t) => t.limit_upper !== null) ? [
+      quantity({ key: "utilisation", label: "utilisation: planned tension over its upper limit", head: "utilisation", unit: "%", of: "edge", kind: "sequential", decimals: 1, values: edges.map((t) => (t.limit_upper ? (100 * t.planned) / t.limit_upper : NaN)) }),
+    ] : []),
     ...(limits ? [
       quantity({ key: "margin", label: "margin of the planned tension to the nearest limit", head: "margin to limit", unit: "kN", of: "edge", kind: "diverging", decimals: 3, values: of(marginOf) }),
     ] : []),
   ];
+}
+
+/** Force of the cables on each support [kN]. */
+function reactions(plan: Plan, model: Model, form: Plan["planned_form"], tensionOf: (t: PlannedTension) => number): number[] {
+  const sums = form.map(() => [0, 0, 0]);
+  plan.tension.edges.forEach((t, e) => {
+    const [a, b] = [model.ends[2 * e]!, model.ends[2 * e + 1]!];
+    const along = form[b]!.map((x, k) => x - form[a]![k]!);
+    const length = Math.hypot(...along);
+    along.forEach((x, k) => {
+      const force = length > 0 ? (kN * tensionOf(t) * x) / length : 0;
+      sums[a]![k]! += force;
+      sums[b]![k]! -= force;
+    });
+  });
+  return sums.map((force, node) => (model.isSupport[node] ? Math.hypot(...force) : NaN));
 }
 
 /** Along the target's normal, at the free nodes that have one, in millimetres. */
@@ -59,6 +78,11 @@ export function modelOfPlan(plan: Plan): Model {
     node("distance_built", "3D deviation from the target, as built", "3D, built", "sequential", "distance", distances(built, model.isSupport)),
     node("distance_planned", "3D deviation from the target, as planned", "3D, planned", "sequential", "distance", distances(planned, model.isSupport)),
   );
+  const reaction = (key: string, label: string, head: string, values: number[]): Quantity =>
+    quantity({ key, label, head, unit: "kN", of: "node", kind: "sequential", decimals: 3, scale: "reaction", values });
+  model.quantities.push(
+    reaction("reaction_built", "reaction: force of the cables on the support, as built", "reaction, built", reactions(plan, model, plan.built_form, (t) => t.as_built)),
+    reaction("reaction_planned", "reaction: force of the cables on the support, as planned", "reaction, planned", reactions(plan, model, plan.planned_form, (t) => t.planned)));
   if (plan.draws > 0) {
     const std = plan.planned_form_std.map((s, i) => (model.isSupport[i] ? NaN : 1e3 * Math.max(...s)));
     model.quantities.push(quantity({ key: "std", label: "standard deviation of the planned position, worst axis", head: "std", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: std }));

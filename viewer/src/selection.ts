@@ -14,6 +14,7 @@ export class Selection {
   selected: Item | null = null;
   hovered: Item | null = null;
   private readonly listeners: (() => void)[] = [];
+  private readonly showListeners: ((item: Item) => void)[] = [];
 
   /** Calls back after each change. */
   subscribe(listener: () => void): void {
@@ -30,6 +31,17 @@ export class Selection {
     if (same(item, this.hovered)) return;
     this.hovered = item;
     this.notify();
+  }
+
+  /** Selects an item where it may be out of sight. */
+  show(item: Item): void {
+    this.select(item);
+    for (const listener of this.showListeners) listener(item);
+  }
+
+  /** Calls back when an item is to be brought into sight. */
+  onShow(listener: (item: Item) => void): void {
+    this.showListeners.push(listener);
   }
 
   private notify(): void {

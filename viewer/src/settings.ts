@@ -4,7 +4,7 @@
 import { section } from "./dom";
 import { counted, millimetres, number, percent, short } from "./format";
 import { plainTable } from "./plain_table";
-import type { Identification, Result } from "./result";
+import type { Identification, PlannedTension, Result } from "./result";
 
 /** The prior of the length deviations as given, and as estimated from the survey. */
 function priorWords(prior: Identification["prior"]): string {
@@ -15,6 +15,19 @@ function priorWords(prior: Identification["prior"]): string {
   const turnbuckles = prior.common?.adjustable_std ? `; adjustable edges ${millimetres(prior.common.adjustable ?? 0)} ± ${millimetres(prior.common.adjustable_std)} mm longer (mean)` : "";
   const runs = prior.common && prior.common.run_probability > 0.5 ? `; scales of cable runs ${(100 * prior.common.run_std).toPrecision(2)} %` : "";
   return `${prior.given ?? "none given"}; ${found}${common}${turnbuckles}${runs}; uniform with a probability of ${percent(prior.uniform_probability)} %; mixture of ${counted(prior.nodes.length, "prior")}`;
+}
+
+const mostLimits = 6;
+
+/** "0.05 to 20 kN (664 edges)", each different pair of limits once. */
+function limitWords(edges: PlannedTension[]): string {
+  const counts = new Map<string, number>();
+  for (const { limit_lower, limit_upper } of edges) {
+    const words = limit_upper === null ? `${short(limit_lower / 1e3)} kN or more` : `${short(limit_lower / 1e3)} to ${short(limit_upper / 1e3)} kN`;
+    counts.set(words, (counts.get(words) ?? 0) + 1);
+  }
+  const all = [...counts].map(([words, count]) => `${words} (${counted(count, "edge")})`);
+  return all.slice(0, mostLimits).join("; ") + (all.length > mostLimits ? `; ${all.length - mostLimits} others` : "");
 }
 
 /** Program, input and options of the result, and its run time. */
@@ -77,6 +90,7 @@ export function settingsSection(result: Result): HTMLElement {
   if (result.format === "taut-plan") {
     const { options } = result;
     add("required probability of the limits", `${short(100 * options.confidence)} %`);
+    add("limits of tension", limitWords(result.tension.edges));
     add("actuator std", `${short(1e3 * options.actuator)} mm`);
     add("change of length by one turn", options.pitch === null ? "not given" : `${short(1e3 * options.pitch)} mm`);
     add("smallest step", options.step ? `${short(1e3 * options.step)} mm` : "");

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { checksBox } from "./checks";
+import { checksBox, type ShowItem } from "./checks";
 import { ofComparison } from "./comparison_summary";
 import { ofControl } from "./control_summary";
 import { h } from "./dom";
 import { ofIdentification } from "./identification_summary";
+import type { Notebook } from "./notes";
 import { ofPlan, planBoxes } from "./plan_summary";
 import type { Result } from "./result";
 import { ofStudy } from "./study_summary";
@@ -22,7 +23,7 @@ function summaryOf(result: Result): Summary {
 }
 
 /** The top of the page, for who reads nothing else. */
-export function summary(result: Result): HTMLElement {
+export function summary(result: Result, notebook: Notebook, show: ShowItem): HTMLElement {
   const { title, done, sentences, figures } = summaryOf(result);
   document.title = `${result.net.name || "A net"} – taut report`;
   const cards = figures.map(({ value, unit, label }) =>
@@ -31,7 +32,8 @@ export function summary(result: Result): HTMLElement {
   return h("header", {},
     h("div", { class: "brand" }, h("span", { class: "logo", "aria-hidden": "true" }), h("span", {}, "taut report"), h("span", { class: "quiet provenance" }, provenance)),
     h("h1", {}, result.net.name || "A net", h("small", {}, title)),
-    ...(result.format === "taut-plan" ? planBoxes(result) : [checksBox(result)]),
+    notebook.fields(),
+    ...(result.format === "taut-plan" ? planBoxes(result) : [checksBox(result, show)]),
     h("p", { class: "done" }, done),
     h("ol", { class: "sentences", "aria-label": "Main results" }, ...sentences.map((text) => h("li", {}, text))),
     cards.length > 0 ? h("div", { class: "cards" }, ...cards) : null);

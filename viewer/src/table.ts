@@ -27,7 +27,7 @@ interface Options {
 const rowHeight = 27;
 /** Rows drawn above and below the visible ones. */
 const margin = 12;
-const printedRows = 40;
+const printedRows = 3000;
 
 /** A table that can be sorted and filtered, of any length: only the rows that are seen exist. */
 export class Table {

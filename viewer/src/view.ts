@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { Color, Scene, WebGLRenderer } from "three";
+import { Color, Scene, Vector3, WebGLRenderer } from "three";
 import { colourAt, linear, palette, type Rgb } from "./colours";
 import { type EdgeLines, ThinLines, WideLines } from "./edge_lines";
 import { type Displacement, type Model, type Quantity, rangeOf } from "./model";
 import { NetCamera, type Viewpoint } from "./net_camera";
+import { type Labelled, NetLabels } from "./net_labels";
 import { discTexture, NodeDots } from "./node_dots";
 import { nearestItem } from "./picking";
 import type { Item, Selection } from "./selection";
@@ -54,6 +55,7 @@ export class NetView {
   private readonly freeDots: NodeDots;
   private readonly supportDots: NodeDots;
   private readonly markDots: NodeDots;
+  private readonly labels: NetLabels;
   private readonly freeNodes: number[];
   private readonly supports: number[];
   private readonly positions: Float32Array;
@@ -67,7 +69,8 @@ export class NetView {
     const many = model.edgeCount > mostWideLines;
     this.renderer = new WebGLRenderer({ antialias: !many, preserveDrawingBuffer: true });
     this.canvas = this.renderer.domElement;
-    container.append(this.canvas);
+    this.labels = new NetLabels(model);
+    container.append(this.canvas, this.labels.canvas);
     this.quantity = model.quantities[0]!;
     this.positions = model.form.slice();
 
@@ -156,6 +159,20 @@ export class NetView {
     this.request();
   }
 
+  setLabels(which: Labelled): void {
+    this.labels.show(which);
+    this.request();
+  }
+
+  /** Brings an edge or a node near. */
+  lookAt({ of, index }: Item): void {
+    const nodes = of === "edge" ? [this.model.ends[2 * index]!, this.model.ends[2 * index + 1]!] : [index];
+    const middle = new Vector3();
+    for (const node of nodes) middle.addScaledVector(new Vector3().fromArray(this.positions, 3 * node), 1 / nodes.length);
+    this.camera.lookAt(middle);
+    this.request();
+  }
+
   /** Where a node stands on the canvas, in CSS pixels. */
   placeOf(node: number): [number, number] {
     const screen = this.projected();
@@ -167,7 +184,11 @@ export class NetView {
     const theme = this.theme;
     this.setTheme(false);
     this.draw();
-    const url = this.canvas.toDataURL("image/png");
+    const { width, height } = this.canvas;
+    const whole = Object.assign(document.createElement("canvas"), { width, height });
+    const context = whole.getContext("2d")!;
+    for (const layer of [this.canvas, this.labels.canvas]) context.drawImage(layer, 0, 0, width, height);
+    const url = whole.toDataURL("image/png");
     this.theme = theme;
     this.setTheme(theme === themes.dark);
     return url;
@@ -333,5 +354,8 @@ export class NetView {
   private draw(): void {
     this.pending = false;
     this.renderer.render(this.scene, this.camera.current);
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const look = { ink: `rgb(${this.theme.ink.map((part) => Math.round(255 * part)).join(" ")})`, ground: this.theme.ground };
+    this.labels.draw(this.projected(), { width, height, ratio: this.renderer.getPixelRatio() }, look, this.selection.selected, this.camera.metresPerPixel(height));
   }
 }

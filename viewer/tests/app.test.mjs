@@ -41,8 +41,8 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-async function open(options = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+async function open(options = {}, opener = browser) {
+  const page = await ("newContext" in opener ? opener.newPage({ viewport: { width: 1280, height: 900 }, ...options }) : opener.newPage());
   page.complaints = [];
   page.on("request", (request) => {
     if (!/^(file|data|blob|about):/.test(request.url())) page.complaints.push(`request ${request.url()}`);
@@ -95,6 +95,17 @@ test("the command line in the page gives the program's lengths, samples and turn
   await page.close();
 });
 
+/** Drops files of the folder on the page. */
+async function drop(page, place, names) {
+  const files = names.map((name) => ({ name, bytes: [...file(name)] }));
+  const data = await page.evaluateHandle((files) => {
+    const transfer = new DataTransfer();
+    for (const { name, bytes } of files) transfer.items.add(new File([new Uint8Array(bytes)], name));
+    return transfer;
+  }, files);
+  await page.dispatchEvent(place, "drop", { dataTransfer: data });
+}
+
 test("errors are those of the program, in one line, and the page lives on", async () => {
   const page = await open();
   writeFileSync(join(folder, "broken.csv"), "a,b\n1,2\n");
@@ -111,16 +122,7 @@ test("errors are those of the program, in one line, and the page lives on", asyn
 
 test("two dropped files become lengths and a list of turns, and a job that opens again", async () => {
   const page = await open({ acceptDownloads: true });
-  const drop = async (names) => {
-    const files = names.map((name) => ({ name, bytes: [...file(name)] }));
-    const data = await page.evaluateHandle((files) => {
-      const transfer = new DataTransfer();
-      for (const { name, bytes } of files) transfer.items.add(new File([new Uint8Array(bytes)], name));
-      return transfer;
-    }, files);
-    await page.dispatchEvent("#drop", "drop", { dataTransfer: data });
-  };
-  await drop(["net.json", "survey.csv"]);
+  await drop(page, "#drop", ["net.json", "survey.csv"]);
   await page.waitForSelector("#read [data-state=done]");
   assert.match(await page.textContent("#read .output"), /survey survey\.csv: \d+ free nodes/);
   for (const [option, value] of [["--noise", "0.5mm"], ["--prior", "uniform:5mm"], ["--draws", "200"]]) await page.fill(`[name="${option}"]`, value);
@@ -141,12 +143,83 @@ test("two dropped files become lengths and a list of turns, and a job that opens
   const [job] = await Promise.all([page.waitForEvent("download"), page.click("#save-job")]);
   await job.saveAs(join(folder, "job.json"));
   const again = await open();
-  await again.setInputFiles("#pick", join(folder, "job.json"));
+  await again.setInputFiles("#drop-pick", join(folder, "job.json"));
   await again.frameLocator("#turns iframe").locator("body[data-ready]").waitFor();
   assert.equal(await again.inputValue('[name="--tension"]'), "0.05kN..20kN");
   assert.deepEqual([...page.complaints, ...again.complaints], []);
   await page.close();
   await again.close();
+});
+
+test("what was ticked off, and the next survey, are an epoch; a page opened again has it all", async () => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await open({}, context);
+  await drop(page, "#drop", ["net.json", "survey.csv"]);
+  await page.waitForSelector("#read [data-state=done]");
+  for (const [option, value] of [["--noise", "0.5mm"], ["--prior", "uniform:5mm"], ["--draws", "40"]]) await page.fill(`[name="${option}"]`, value);
+  await page.click("#do-identify");
+  await page.waitForSelector("#identification [data-state=done]");
+  await page.fill('[name="--turn"]', "5mm");
+  await page.fill('[name="--step"]', "1/4");
+  await page.click("#do-plan");
+  await page.waitForSelector("#planning [data-state=done]");
+  const report = page.frameLocator("#turns iframe");
+  await report.locator("body[data-ready]").waitFor();
+  await report.locator(".tick").first().check();
+  await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
+  const [edge] = (await report.locator(".crew tbody th").first().textContent()).split(" ");
+  // Built again with that turn, and surveyed into a file of the same name.
+  const stroke = await report.locator(".crew tbody tr").first().evaluate((row) => {
+    const size = Number([...row.cells].find((cell) => cell.dataset.label === "stroke [mm]").textContent);
+    return (row.textContent.includes("shorten") ? -1 : 1) * size / 1e3;
+  });
+  writeFileSync(join(folder, "made.csv"), `edge,stroke\n${edge},${stroke}\n`);
+  native("form", "net.json", "--prior", "uniform:5mm", "--seed", "7", "--turned", "made.csv", "-o", "after.csv");
+  const first = file("survey.csv");
+  native("survey", "net.json", "after.csv", "--noise", "0.5mm", "--seed", "5", "-o", "survey.csv");
+  await drop(page, "#drop-next", ["survey.csv"]);
+  writeFileSync(join(folder, "second.csv"), file("survey.csv"));
+  writeFileSync(join(folder, "survey.csv"), first);
+  await page.waitForSelector("#read [data-state=done]");
+  assert.deepEqual(await page.locator("#files li code").allTextContents(), ["net.json", "survey.csv", "turned.csv", "survey-2.csv"]);
+  await page.click("#do-identify");
+  await page.waitForSelector("#identification [data-state=done]");
+  assert.match(await page.textContent("#identification .commands"), /survey\.csv --epoch survey-2\.csv:turned\.csv /);
+  await page.frameLocator("#lengths iframe").locator("body[data-ready]").waitFor();
+  await page.waitForFunction(() => document.querySelector("#kept").textContent.startsWith("This browser keeps the job"));
+  await page.waitForTimeout(500);
+  await page.close();
+
+  const again = await open({}, context);
+  assert.equal(await again.inputValue('[name="--prior"]'), "uniform:5mm");
+  assert.equal(await again.locator("#files li").count(), 4);
+  await again.frameLocator("#lengths iframe").locator("body[data-ready]").waitFor();
+  await again.click("#new-job");
+  assert.equal(await again.locator("#files li").count(), 0);
+  assert.deepEqual([...page.complaints, ...again.complaints], []);
+  await context.close();
+});
+
+test("a broken job, and files of the wrong kind, give one line, and the page lives on", async () => {
+  const page = await open();
+  const files = {
+    "cut.json": '{"format": "taut-job", "version": 1, "inputs": [',
+    "later.json": '{"format": "taut-job", "version": 2}',
+    "half.json": '{"format": "taut-job", "version": 1, "inputs": [{"name": "a", "role": "king", "content": ""}], "settings": {}, "outputs": []}',
+    "base.json": '{"format": "taut-job", "version": 1, "inputs": [{"name": "a", "role": "net", "content": "%%%"}], "settings": {}, "outputs": []}',
+  };
+  for (const [name, expected] of [["later.json", /version 2, expected 1/], ["half.json", /not a whole job/], ["base.json", /not in base64/]]) {
+    await page.setInputFiles("#drop-pick", { name, mimeType: "application/json", buffer: Buffer.from(files[name]) });
+    await page.waitForFunction(() => document.querySelector("#problem").textContent !== "");
+    assert.match(await page.textContent("#problem"), expected);
+  }
+  await page.setInputFiles("#drop-pick", { name: "cut.json", mimeType: "application/json", buffer: Buffer.from(files["cut.json"]) });
+  await page.waitForSelector("#files li");
+  await page.click("#new-job");
+  await page.click("#example");
+  await page.waitForSelector("#read [data-state=done]");
+  assert.deepEqual(page.complaints, []);
+  await page.close();
 });
 
 test("a run can be cancelled", async () => {
@@ -169,7 +242,7 @@ test("what stands in names runs nothing", async () => {
   const page = await open();
   const name = "<img src=x onerror=alert(1)>.csv";
   writeFileSync(join(folder, "hostile.csv"), file("survey.csv"));
-  await page.setInputFiles("#pick", [
+  await page.setInputFiles("#drop-pick", [
     { name: "net.json", mimeType: "application/json", buffer: Buffer.from(file("net.json").toString().replace(/"name": *"[^"]*"/, '"name": "<script>alert(1)</script><img src=x onerror=alert(2)>"')) },
     { name, mimeType: "text/csv", buffer: file("survey.csv") },
   ]);

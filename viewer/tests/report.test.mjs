@@ -12,7 +12,7 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 import { chromium } from "playwright-core";
-import { folder, makeReports } from "./results.mjs";
+import { folder, makeReports, refusalOf } from "./results.mjs";
 
 const executablePath = process.env.TAUT_CHROMIUM ?? "/usr/bin/chromium";
 if (!existsSync(executablePath)) {
@@ -40,14 +40,15 @@ after(async () => {
 
 /** Opens a report; its page keeps what it asks for and complains about. */
 async function open(path, options = {}, opener = browser) {
-  const page = await opener.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  const hasView = (opener.browser?.() ?? opener) === browser;
+  const page = await ("newContext" in opener ? opener.newPage({ viewport: { width: 1280, height: 900 }, ...options }) : opener.newPage());
   page.complaints = [];
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) page.complaints.push(`request ${request.url()}`);
   });
   page.on("console", (message) => {
     // Reading pixels back is slow, says the driver; only tests and print do. And what is switched off is missing.
-    const isExpected = message.text().includes("GPU stall") || (opener === browserWithoutView && message.text().includes("WebGL"));
+    const isExpected = message.text().includes("GPU stall") || (!hasView && message.text().includes("WebGL"));
     if (["error", "warning"].includes(message.type()) && !isExpected) page.complaints.push(message.text());
   });
   page.on("pageerror", (error) => page.complaints.push(error.message));
@@ -73,7 +74,7 @@ const onView = (name, checks) => on(name, checks, browser);
 /** The picture of the view. */
 async function pixels(page) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return page.$eval(".canvas canvas", (canvas) => canvas.toDataURL());
+  return page.$eval(".canvas canvas:not(.labels)", (canvas) => canvas.toDataURL());
 }
 
 const inspected = (page) => page.textContent(".inspector h3");
@@ -125,7 +126,7 @@ async function checkSavedCharts(page, name) {
 async function checkNames(page) {
   const nameless = await page.evaluate(() =>
     [...document.querySelectorAll("button, select, input, svg, canvas, section, [role=region]")]
-      .filter((e) => !(e.ariaLabel || e.labels?.length || e.textContent.trim() && e.matches("button") || document.getElementById(e.getAttribute("aria-labelledby"))))
+      .filter((e) => !(e.ariaHidden || e.ariaLabel || e.labels?.length || e.textContent.trim() && e.matches("button") || document.getElementById(e.getAttribute("aria-labelledby"))))
       .map((e) => e.outerHTML.slice(0, 80)));
   assert.deepEqual(nameless, []);
   const levels = await page.$$eval("h1, h2, h3", (heads) => heads.map((h) => Number(h.tagName[1])));
@@ -153,7 +154,7 @@ test("a click in the view selects an edge or a node, in charts and table too", (
       const places = nodes.map((node) => netView.placeOf(node));
       return [0, 1].map((k) => places.reduce((sum, place) => sum + place[k] / places.length, 0));
     }, nodes);
-    await page.click(".canvas canvas", { position: { x, y } });
+    await page.click(".canvas canvas:not(.labels)", { position: { x, y } });
   };
   const edge = cable_net.edges.findIndex((_, e) => !cable_net.adjustable.includes(e));
   await clickBetween(...cable_net.edges[edge]);
@@ -197,11 +198,11 @@ test("keys, a drag and the wheel move the view, and the arrows go through the ta
   const first = await inspected(page);
   await page.keyboard.press("ArrowDown");
   assert.notEqual(await inspected(page), first);
-  await page.focus(".canvas canvas");
+  await page.focus(".canvas canvas:not(.labels)");
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".inspector h3").count(), 0);
-  await page.locator(".canvas canvas").scrollIntoViewIfNeeded();
-  const box = await page.locator(".canvas canvas").boundingBox();
+  await page.locator(".canvas canvas:not(.labels)").scrollIntoViewIfNeeded();
+  const box = await page.locator(".canvas canvas:not(.labels)").boundingBox();
   const [x, y] = [box.x + 200, box.y + 200];
   let before = await pixels(page);
   for (const [name, move] of Object.entries({
@@ -232,7 +233,7 @@ test("light and dark differ, in page and view", () => onView("study", async (pag
   for (const k of [0, 1]) assert.notEqual(looks[0][k], looks[1][k]);
 }));
 
-test("it prints on A4, black on white, with the view as a picture", () => onView("study", async (page) => {
+test("it prints on A4, black on white, with the view as a picture", () => onView("study", async (page, { cable_net }) => {
   await page.emulateMedia({ colorScheme: "dark" });
   const pdf = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
   assert.match(pdf, /\/MediaBox \[0 0 59[45][.\d]* 84[12]/);
@@ -241,9 +242,9 @@ test("it prints on A4, black on white, with the view as a picture", () => onView
   await page.emulateMedia({ media: "print" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
-  assert.equal(await page.locator(".canvas canvas").isVisible(), false);
+  assert.equal(await page.locator(".canvas canvas:not(.labels)").isVisible(), false);
   assert.equal(await page.locator(".canvas img").isVisible(), true);
-  assert.ok((await page.locator("#tables .rows >> nth=0 >> tr[data-row]").count()) <= 40);
+  assert.equal(await page.locator("#tables .rows >> nth=0 >> tr[data-row]").count(), cable_net.edges.length);
   assert.equal(await page.locator("#licences").isVisible(), false);
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
 }));
@@ -395,6 +396,38 @@ test("troubles of a survey are listed and lead to their place", () => onView("tr
   await checkDistances(page, result.survey, "1 target excluded as a gross error, up to 50.0 mm away.");
 }));
 
+test("a name in a finding brings it into the view, with its label; the top view has a scale bar", () => onView("raised", async (page) => {
+  const labels = (part) => page.$eval(".canvas .labels", (canvas, [x, y, width, height]) => {
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0);
+    return context.getImageData(x * canvas.width, y * canvas.height, width * canvas.width, height * canvas.height).data.some((value) => value > 0);
+  }, part);
+  const settled = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.click("[data-view=perspective]");
+  const before = await pixels(page);
+  const button = page.locator(".findings button.link").first();
+  assert.equal(await button.textContent(), "8");
+  await page.evaluate(() => scrollTo(0, 0));
+  await button.click();
+  await settled();
+  assert.equal(await inspected(page), "Free node 8");
+  assert.ok((await page.locator("#net").boundingBox()).y < 20, "the view is at the top of the window");
+  assert.notEqual(await pixels(page), before, "the view has gone there");
+  assert.ok(await labels([0.25, 0.25, 0.5, 0.5]), "its label is in the middle");
+  await page.focus(".canvas canvas:not(.labels)");
+  await page.keyboard.press("Escape");
+  await settled();
+  assert.equal(await labels([0, 0, 1, 1]), false);
+  await page.selectOption("#labels", "supports");
+  await settled();
+  assert.ok(await labels([0, 0, 1, 1]));
+  await page.selectOption("#labels", "none");
+  await page.click("[data-view=top]");
+  await settled();
+  assert.ok(await labels([0, 0.9, 0.3, 0.1]), "a scale bar");
+  await page.click("[data-view=perspective]");
+}));
+
 test("prior, variance factor, smallest errors, frame and control residuals are shown", () => on("moved", async (page, result) => {
   const top = await page.textContent("header");
   assert.equal(result.length_prior, "uniform:2mm");
@@ -508,7 +541,7 @@ test("one job, and jobs without a plan, say so", async () => {
   });
 });
 
-/** Cells of a crew's list: ["", step, cable, action, rotation, turns, mm, scale reading, tension]. */
+/** Cells of a crew's list: [number, step, cable, action, rotation, turns, mm, scale reading, tension, ""]. */
 const crewRows = (page, crew) => cells(page, `[data-crew="${crew}"] tbody tr:not(.pass)`);
 
 test("each crew's list has all its turns, in the order of work, and is printed on its own sheets", () => on("plan", async (page, { turns }) => {
@@ -516,7 +549,11 @@ test("each crew's list has all its turns, in the order of work, and is printed o
     const own = turns.filter((t) => t.crew === crew);
     assert.ok(own.length > 0);
     const rows = await crewRows(page, crew);
-    assert.deepEqual(rows.map((r) => r[2]), own.map((t) => t.edge_id));
+    assert.deepEqual(rows.map((r) => r[2].replace(/ \(.*/, "")), own.map((t) => t.edge_id));
+    // The drawing has the numbers of the lines, and the supports at which they are.
+    const drawn = await page.locator(`[data-crew="${crew}"] .crew-drawing .number`).allTextContents();
+    assert.deepEqual(drawn.flatMap((text) => text.split(", ")).map(Number).sort((a, b) => a - b), rows.map((r) => Number(r[0])));
+    assert.deepEqual(own.map((t) => turns.indexOf(t) + 1), rows.map((r) => Number(r[0])));
     rows.forEach((row, i) => {
       const turn = own[i];
       assert.equal(Number(row[1]), turn.step + 1);
@@ -541,6 +578,48 @@ test("each crew's list has all its turns, in the order of work, and is printed o
   for (const crew of [1, 2]) assert.ok((await page.innerText(`[data-crew="${crew}"] thead`)).includes(`Crew ${crew} of 2`));
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
 }));
+
+test("what is turned is ticked off or entered, kept when the page is opened again, and saved for the next survey", async () => {
+  const { page: path, result: { turns } } = reports.plan;
+  const context = await browserWithoutView.newContext({ acceptDownloads: true });
+  const page = await open(path, {}, context);
+  assert.equal(await page.textContent(".made-bar [role=status]"), `0 of ${turns.length} turned`);
+  assert.equal(await page.isDisabled("#save-turned"), true);
+  const own = (i) => page.locator(`[data-crew="${turns[i].crew}"] tbody tr`).nth(turns.filter((t) => t.crew === turns[i].crew).indexOf(turns[i]));
+  await own(0).locator(".tick").check();
+  // Half a turn of 5 mm more than planned, a turn the other way round, and what is no number.
+  const planned = Math.abs(turns[1].turns);
+  await own(1).locator(".as-made").fill(`${planned} 1/2`.replace(/^\d+\.\d+ 1\/2$/, String(planned + 0.5)));
+  await own(2).locator(".as-made").fill("−1 ¼");
+  await own(3).locator(".as-made").fill("two");
+  await page.locator("h1").click();
+  assert.equal(await own(3).locator(".as-made").getAttribute("aria-invalid"), "true");
+  assert.equal(await page.textContent(".made-bar [role=status]"), `3 of ${turns.length} turned`);
+  await page.locator(".record input").first().fill("Roof 7");
+  await page.locator("h1").click();
+  await page.reload();
+  await page.waitForSelector("body[data-ready]");
+  assert.equal(await page.textContent(".made-bar [role=status]"), `3 of ${turns.length} turned`);
+  assert.equal(await page.locator(".record input").first().inputValue(), "Roof 7");
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#save-turned")]);
+  const rows = readFileSync(await saved.path(), "utf8").trim().split("\r\n").slice(1).map((line) => line.split(","));
+  const signs = turns.slice(0, 3).map(({ stroke }) => Math.sign(stroke));
+  const expected = [turns[0].stroke, turns[1].stroke + 0.0025 * signs[1], -0.00625 * signs[2]];
+  assert.deepEqual(rows.map(([edge]) => edge), turns.slice(0, 3).map((t) => t.edge_id));
+  rows.forEach(([, stroke], i) => assert.ok(Math.abs(Number(stroke) - expected[i]) < 1e-12, `${stroke} for ${expected[i]}`));
+  // The program reads it.
+  await saved.saveAs(join(folder, "turned.csv"));
+  assert.equal(refusalOf("form", "net.json", "--turned", "turned.csv", "-o", "turned_form.csv"), null);
+  assert.deepEqual(page.complaints, []);
+  await context.close();
+});
+
+test("on a phone nothing of the crews' list is cut off", async () => {
+  const page = await open(reports.plan.page, { viewport: { width: 390, height: 844 } }, browserWithoutView);
+  const widest = await page.$$eval("#crews .list-rows *", (all) => Math.max(...all.map((one) => one.getBoundingClientRect().right)));
+  assert.ok(widest <= 390, `${widest} of 390`);
+  await page.close();
+});
 
 test("the head of a plan has the checks it depends on, whether limits are kept, and how near it comes", () => on("plan", async (page, result) => {
   const top = await page.textContent("header");
@@ -576,7 +655,7 @@ test("a plan without samples, pitch or turns says what it does not have", async 
     assert.match(await page.textContent("#verdict"), /No limits of tension or reaction were given; no cable goes slack, by the estimate alone/);
     assert.doesNotMatch(await page.textContent("header"), /limits are kept/i);
     assert.match(await page.textContent(".sentences"), /the probability is not known: /);
-    assert.equal((await crewRows(page, 1))[0].length, 7, "neither turns nor rotation");
+    assert.equal((await crewRows(page, 1))[0].length, 7, "no step, turns or rotation");
     assert.match(await page.textContent("#crews"), /the thread is not known/);
     assert.doesNotMatch(await page.textContent("#crews"), /clockwise/);
   });
@@ -612,7 +691,7 @@ test("arrows at the turnbuckles differ by hue and direction", () => onView("plan
   await page.click("[data-view=top]");
   // On grey edges only the arrows, and the nodes' blue, have these hues.
   await page.selectOption("#colour-by", "std");
-  const hues = await page.$eval(".canvas canvas", async (canvas) => {
+  const hues = await page.$eval(".canvas canvas:not(.labels)", async (canvas) => {
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
     copy.drawImage(canvas, 0, 0);
@@ -663,7 +742,7 @@ test("tablets and phones see all of the page without scrolling sideways, and a t
       const { nodes, supports } = reports.study.result.cable_net;
       const node = nodes.findIndex((_, i) => !supports.includes(i));
       const [x, y] = await page.$eval(".canvas", ({ netView }, node) => netView.placeOf(node), node);
-      await page.tap(".canvas canvas", { position: { x, y } });
+      await page.tap(".canvas canvas:not(.labels)", { position: { x, y } });
       assert.equal(await inspected(page), `Free node ${node}`);
     }
     assert.deepEqual(page.complaints, []);

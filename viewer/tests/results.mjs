@@ -44,11 +44,15 @@ function makePlans() {
   const identify = ["identify", "net.json", "site.csv", "--noise", "0.2mm", "--prior", "uniform:5mm", "--quiet", "--draws"];
   taut(...identify, "50", "-o", "site.json");
   taut(...identify, "0", "-o", "drawless.json");
+  // Target 8, a hand's breadth too high.
+  const raised = readFileSync(join(folder, "site.csv"), "utf8").replace(/^(8,[^,]*,[^,]*,)([^,]*)/m, (_, before, z) => before + (Number(z) + 0.1));
+  writeFileSync(join(folder, "raised.csv"), raised);
+  taut("identify", "net.json", "raised.csv", "--noise", "0.2mm", "--prior", "uniform:5mm", "--quiet", "--draws", "0", "-o", "raised.json");
   plan("plan", "site.json", "--tension", "0.05kN..20kN", "--turn", "5mm", "--step", "1/4", "--crews", "2", "--thread", "left");
   plan("infeasible", "site.json", "--tension", "1N..200N", "--turn", "5mm", "--step", "1/4");
   plan("unsure", "drawless.json");
   plan("idle", "site.json", "--tolerance", "50mm");
-  return ["plan", "infeasible", "unsure", "idle"];
+  return ["plan", "infeasible", "unsure", "idle", "raised"];
 }
 
 /** Simulated jobs of two rounds; one job of one round; and the same where nothing could be planned. */

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { csvOf, download } from "./csv";
+import { h } from "./dom";
+import { fixed } from "./format";
+import type { Notebook } from "./notes";
+import type { Plan, Turn } from "./result";
+
+const vulgar: Record<string, string> = { "1/2": "½", "1/4": "¼", "3/4": "¾", "1/3": "⅓", "2/3": "⅔", "1/8": "⅛", "3/8": "⅜", "5/8": "⅝", "7/8": "⅞" };
+const divisor = (a: number, b: number): number => (b === 0 ? a : divisor(b, a % b));
+
+/** Turns as counted by hand: "1 ¾" where the step is a fraction of a turn, else "1.72". */
+export function turnsText(turns: number, { pitch, step }: Plan["options"]): string {
+  const parts = pitch && step ? Math.round(pitch / step) : 0;
+  const count = Math.round(turns * parts);
+  if (!(parts >= 1) || parts > 64 || Math.abs(parts * step! - pitch!) > 1e-6 * pitch! || Math.abs(count - turns * parts) > 1e-3) return fixed(turns, 2);
+  const [whole, rest] = [Math.floor(count / parts), count % parts];
+  if (rest === 0) return String(whole);
+  const common = divisor(rest, parts);
+  const fraction = `${rest / common}/${parts / common}`;
+  return `${whole > 0 ? `${whole} ` : ""}${vulgar[fraction] ?? fraction}`;
+}
+
+/** The number in "1 ¾", "1 3/4", "1.75", "1,75" or "-0.5"; NaN of anything else. */
+export function numberOf(text: string): number {
+  const plain = Object.entries(vulgar).reduce((all, [fraction, sign]) => all.replace(sign, ` ${fraction}`), text).replace(/[−–]/, "-").replace(",", ".");
+  const parts = /^\s*(-?)\s*(\d+(?:\.\d+)?|\.\d+)?(?:\s*(?<!\d)(\d{1,2})\/(\d{1,2}))?\s*$/.exec(plain);
+  if (!parts || (parts[2] === undefined && parts[3] === undefined)) return NaN;
+  const value = Number(parts[2] ?? 0) + (parts[3] === undefined ? 0 : Number(parts[3]) / Number(parts[4]));
+  return parts[1] ? -value : value;
+}
+
+/** Metres of one unit in which a crew counts: a turn, where the plan has a pitch, or a millimetre. */
+const unitOf = ({ options }: Plan): number => options.pitch ?? 1e-3;
+
+const sameWay = ({ action }: Turn): number => (action === "lengthen" ? 1 : -1);
+
+/** Where a turn is ticked off, and what was really turned is entered: in turns or millimetres the planned way round. */
+export function madeCell(plan: Plan, index: number, notebook: Notebook): HTMLElement[] {
+  const turn = plan.turns[index]!;
+  const unit = unitOf(plan);
+  const planned = Math.abs(turn.stroke) / unit;
+  const words = (value: number): string => (plan.options.pitch === null ? fixed(value, 2) : turnsText(value, plan.options));
+  const name = `cable ${turn.edge_id}, pass ${turn.pass}`;
+  const done = h("input", { type: "checkbox", class: "tick", "aria-label": `${name} is turned` });
+  const value = h("input", { type: "text", class: "as-made", inputmode: "decimal", placeholder: words(planned), autocomplete: "off", "aria-label": `as made, ${name}` });
+  const set = (stroke: number | null): void => {
+    const strokes = plan.turns.map((_, i) => notebook.notes.strokes?.[i] ?? null);
+    strokes[index] = stroke;
+    notebook.change({ strokes });
+  };
+  done.addEventListener("change", () => set(done.checked ? turn.stroke : null));
+  value.addEventListener("change", () => {
+    if (value.value.trim() === "") return set(done.checked ? turn.stroke : null);
+    const entered = numberOf(value.value);
+    // A slip of the pen is no turn.
+    const wrong = !Number.isFinite(entered) || Math.abs(entered) > Math.max(10 * planned, 100);
+    value.setAttribute("aria-invalid", String(wrong));
+    if (!wrong) set(entered * unit * sameWay(turn));
+  });
+  notebook.subscribe(() => {
+    const stroke = notebook.notes.strokes?.[index] ?? null;
+    done.checked = stroke !== null;
+    const asPlanned = stroke === null || Math.abs(stroke - turn.stroke) < 1e-9;
+    if (document.activeElement === value) return;
+    value.value = asPlanned ? "" : words(0) === "0" && stroke === 0 ? "0" : `${stroke! * sameWay(turn) < 0 ? "−" : ""}${words(Math.abs(stroke!) / unit)}`;
+    value.setAttribute("aria-invalid", "false");
+  });
+  return [done, value];
+}
+
+/** What was turned, as `identify --epoch SURVEY:TURNED` reads it; null where nothing was. */
+export function turnedCsv(plan: Pick<Plan, "turns">, strokes: (number | null)[] = []): string | null {
+  const sums = new Map<string, number>();
+  plan.turns.forEach(({ edge_id }, i) => {
+    const stroke = strokes[i] ?? null;
+    if (stroke !== null) sums.set(edge_id, (sums.get(edge_id) ?? 0) + stroke);
+  });
+  return sums.size === 0 ? null : csvOf(["edge", "stroke"], [...sums]);
+}
+
+/** How many turns are made, and the file of them. */
+export function madeBar(plan: Plan, notebook: Notebook): HTMLElement {
+  const count = h("span", { role: "status", class: "quiet" });
+  const save = h("button", { type: "button", id: "save-turned", onclick: () => download("turned.csv", turnedCsv(plan, notebook.notes.strokes) ?? "") }, "Save what was turned");
+  notebook.subscribe(() => {
+    const made = (notebook.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
+    count.textContent = `${made} of ${plan.turns.length} turned`;
+    save.disabled = made === 0;
+  });
+  return h("span", { class: "made-bar" }, count, " ", save);
+}
