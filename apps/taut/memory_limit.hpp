@@ -28,6 +28,9 @@ void limit_memory(const std::string& text, int threads);
 #ifdef __wasi__
 /// Whether the memory of WebAssembly, which no system limits, is within the limit.
 [[nodiscard]] bool keeps_memory_limit() noexcept;
+
+/// Whether an allocation has failed. A library may have taken that for something else.
+[[nodiscard]] bool ran_out_of_memory() noexcept;
 #endif
 
 /// Refuses what takes more than --memory allows, before the work.

@@ -1,50 +1,72 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// What memory_glibc.cpp does for glibc, in WebAssembly, where the program keeps --memory itself:
-// the linker puts these functions in front of those of the C library (--wrap).
+// The limit of --memory in WebAssembly, which no system keeps: an allocation that would need memory
+// beyond it fails. The functions of ziglang's C library are weak symbols; these stand in their
+// place, and work by two that nobody else calls. They do not end the program, as those of
+// memory_glibc.cpp do: its end is an exception to JavaScript, which the cleanup of all functions on
+// the way would catch.
+#include <bit>
+#include <cerrno>
 #include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
 
 #include "memory_limit.hpp"
-#include "terminal.hpp"
+
+extern "C" {
+void* memalign(std::size_t alignment, std::size_t size);
+void* reallocarray(void* old, std::size_t count, std::size_t size);
+}
 
 namespace {
 
-void* or_end(void* memory, std::size_t size) {
-    if ((memory == nullptr && size > 0) || !taut::app::keeps_memory_limit()) {
-        taut::app::end_without_memory();
+bool has_failed = false;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+/// Memory that was allocated when so many pages were in use, or nothing.
+void* within_limit(void* memory, std::size_t pages_before) {
+    if (__builtin_wasm_memory_size(0) > pages_before && !taut::app::keeps_memory_limit()) {
+        std::free(memory);
+        memory = nullptr;
+    }
+    if (memory == nullptr) {
+        errno = ENOMEM;
+        has_failed = true;
     }
     return memory;
 }
 
 }  // namespace
 
-extern "C" {
-void* __real_malloc(std::size_t size);
-void* __real_calloc(std::size_t count, std::size_t size);
-void* __real_realloc(void* old, std::size_t size);
-void* __real_aligned_alloc(std::size_t alignment, std::size_t size);
-int __real_posix_memalign(void** memory, std::size_t alignment, std::size_t size);
-
-void* __wrap_malloc(std::size_t size) {
-    return or_end(__real_malloc(size), size);
+bool taut::app::ran_out_of_memory() noexcept {
+    return has_failed;
 }
 
-void* __wrap_calloc(std::size_t count, std::size_t size) {
-    return or_end(__real_calloc(count, size), count > 0 ? size : 0);
+extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    const std::size_t before = __builtin_wasm_memory_size(0);
+    return within_limit(memalign(alignment, size), before);
 }
 
-void* __wrap_realloc(void* old, std::size_t size) {
-    return or_end(__real_realloc(old, size), size);
+extern "C" void* malloc(std::size_t size) {
+    return aligned_alloc(alignof(std::max_align_t), size);
 }
 
-void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
-    return or_end(__real_aligned_alloc(alignment, size), size);
+extern "C" void* calloc(std::size_t count, std::size_t size) {
+    const bool is_possible = size == 0 || count <= std::numeric_limits<std::size_t>::max() / size;
+    void* const memory = is_possible ? malloc(count * size) : nullptr;
+    return memory == nullptr ? nullptr : std::memset(memory, 0, count * size);
 }
 
-int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
-    const int error = __real_posix_memalign(memory, alignment, size);
-    or_end(error == 0 ? *memory : nullptr, size);
-    return error;
+extern "C" void* realloc(void* old, std::size_t size) {
+    const std::size_t before = __builtin_wasm_memory_size(0);
+    return within_limit(reallocarray(old, 1, size), before);
 }
+
+extern "C" int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+    if (alignment % sizeof(void*) != 0 || !std::has_single_bit(alignment)) {
+        return EINVAL;
+    }
+    *memory = aligned_alloc(alignment, size);
+    return *memory == nullptr ? ENOMEM : 0;
 }

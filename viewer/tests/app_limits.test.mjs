@@ -51,10 +51,10 @@ test("where memory ends, so does the run, with one line, and the next one works"
   const [ended, next] = await page.evaluate(async () => {
     const net = await window.net("hypar:100x100");
     const words = ["form", "net.json", "-o", "form.csv"];
-    const ended = window.said(await window.taut.run([...words, "--memory", "32MiB"], net));
+    const ended = window.said(await window.taut.run([...words, "--memory", "40MiB"], net));
     return [ended, window.said(await window.taut.run(words, net))];
   });
-  expectError(ended, 1, /not enough memory \(--memory is 32MiB\)/);
+  expectError(ended, 1, /not enough memory \(--memory is 40MiB\)/);
   assert.equal(next.code, 0, next.stderr);
   assert.deepEqual(next.written, ["form.csv"]);
 });
