@@ -46,6 +46,7 @@ set(TAUT_WITH_CLARABEL ${TAUT_CLARABEL_DEFAULT} CACHE STRING
 option(TAUT_WITH_TBB "Run in parallel by oneTBB; else on one thread" ON)
 option(TAUT_WITH_BLAS "Multiply and factorise by BLAS and LAPACK; else by Eigen" ON)
 option(TAUT_WITH_HDF5 "Keep data sets, models and posterior samples in HDF5; else they are refused" ON)
+option(TAUT_WITH_XLSX "Read and write Excel files; else they are refused" ON)
 option(TAUT_WITH_NLOPT "Train models with NLopt; else that is refused" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/metis.cmake)
 set(TAUT_FOUND_METIS OFF)

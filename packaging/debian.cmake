@@ -62,7 +62,7 @@ is. This package holds the libraries that programs run with.")
 else()
     # A static library brings none of its own along.
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-        ", libfmt-dev, libhdf5-dev, libmetis-dev, libnlopt-dev, libopenblas-dev, libpugixml-dev, libtbb-dev, pkg-config")
+        ", libfmt-dev, libhdf5-dev, libmetis-dev, libminizip-dev, libnlopt-dev, libopenblas-dev, libpugixml-dev, libtbb-dev, pkg-config")
 endif()
 
 if(TAUT_BUILD_APP)

@@ -18,7 +18,7 @@ if [[ "${1:-}" == --keep ]]; then
 fi
 seconds=${1:?seconds per reader}
 readers=("${@:2}")
-((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj surface_mesh model)
+((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj surface_mesh model xlsx)
 
 # The libraries that the tests under the sanitizers have, too; the first files come from the release's program.
 build=build/asan
@@ -65,6 +65,11 @@ make_seeds() {
     for survey in tests/data/surveys/*; do
         [[ $survey == *.py ]] || copy foreign_survey "$survey"
     done
+    copy xlsx tests/data/surveys/excel.xlsx
+    python3 -c 'import sys, zipfile
+for part in (file := zipfile.ZipFile(sys.argv[1])).namelist():
+    print("--- " + part, file.read(part).decode(), sep="\n")' tests/data/surveys/excel.xlsx >$work/excel.parts
+    copy xlsx $work/excel.parts
     cat $work/net.csv $work/between $work/net_edges.csv >$work/pair.csv
     copy csv_net $work/pair.csv
     # What is kept holds nothing of other people's.

@@ -15,7 +15,7 @@ set -euo pipefail
 # it at once; HDF5 in its serial form.
 build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libfast-float-dev libboost-dev libpugixml-dev
-    libmetis-dev libopenmpi-dev openmpi-bin)
+    libminizip-dev libmetis-dev libopenmpi-dev openmpi-bin)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy python3-matplotlib)
 lint=(clang-format-19 clang-tidy-19 python3-venv)
@@ -55,7 +55,7 @@ install_dependencies.sh: knows Debian 12 and 13 and Ubuntu 24.04, this is $syste
   a compiler of C++20 (GCC 12, Clang 14), CMake 3.25, Ninja, pkg-config
   Eigen 3.4, oneTBB 2021, NLopt 2.7, BLAS and LAPACK (OpenBLAS), Boost 1.74, nlohmann-json 3.11, valijson 1.0,
   fmt 9, fast_float 3.9, HDF5 1.10, pugixml 1.13; for the program CLI11 2.1
-  for large nets METIS 5.1; for clusters MPI (Open MPI 4.1, MPICH 4.0)
+  for Excel files minizip 1.1; for large nets METIS 5.1; for clusters MPI (Open MPI 4.1, MPICH 4.0)
   for plans and the cone program cargo 1.71; for reports Node.js 18 with npm
   for the tests GoogleTest 1.12, RapidCheck, Chromium, Python 3 with h5py and numpy
 EOF

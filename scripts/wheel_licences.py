@@ -27,7 +27,7 @@ FOLDER = "third-party"
 # What may come along. Another library is a decision: in a wheel it ages without the updates of the
 # system. Debian's HDF5, for one, would bring a network stack.
 LIBRARIES = re.compile(
-    r"lib(fmt|gfortran|metis|nlopt|openblas|pugixml|quadmath|tbb)\b|libopenblasp"
+    r"lib(fmt|gfortran|metis|minizip|nlopt|openblas|pugixml|quadmath|tbb)\b|libopenblasp"
 )
 # The system's, the compiler's and the interpreter's: what a program takes of their headers carries
 # no conditions.

@@ -7,6 +7,7 @@
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/interchange/compas_json.hpp"
 #include "taut/interchange/form_vtk.hpp"
 #include "taut/interchange/net_csv.hpp"
@@ -15,6 +16,8 @@
 #include "taut/io/net_json.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/net_or_result.hpp"
+#include "taut/results/result_file.hpp"
+#include "taut/results/result_xlsx.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/imbalance.hpp"
 #include "taut/statics/tensions.hpp"
@@ -90,7 +93,7 @@ Exported exported_net(const ExportOptions& options) {
             throw std::invalid_argument(fmt::format(
                 "--lengths is for a net; {} is a result, which has its own", options.net));
         }
-        const std::string text = read_file(options.lengths);
+        const std::string text = read_table(options.lengths);
         if (text.starts_with('{')) {
             throw InputError(options.lengths, "",
                              "is JSON, expected a CSV file of lengths as taut form --lengths "
@@ -174,7 +177,33 @@ void print(const Exported& it, const std::vector<std::string>& files) {
     }
 }
 
+/// The tables of a result; with other keys than a net's document has.
+void export_tables(const ExportOptions& options) {
+    if (!options.form.empty() || !options.lengths.empty()) {
+        throw std::invalid_argument(
+            "FORM and --lengths are for a net; xlsx takes the tables of a result as they are");
+    }
+    const ResultFile result = read_result(options.net);
+    check_outputs({options.output}, {options.net, draws_path(options.net).string()});
+    const ResultXlsx tables = result_to_xlsx(result, options.net);
+    write_file(options.output, tables.bytes);
+    warn(options.net, tables.remarks);
+    if (options.json) {
+        say("{}\n", to_text(nlohmann::ordered_json{{"format", "taut-export"},
+                                                   {"version", 1},
+                                                   {"to", options.format},
+                                                   {"warnings", tables.remarks},
+                                                   {"files", {options.output}}}));
+    } else {
+        say("written to {}\n", options.output);
+    }
+}
+
 void run(const ExportOptions& options) {
+    if (options.format == "xlsx") {
+        export_tables(options);
+        return;
+    }
     const Exported exported = exported_net(options);
     const std::vector<std::string> files = output_files(options);
     check_outputs(files, {options.net, options.form, options.lengths,
@@ -193,15 +222,17 @@ void run(const ExportOptions& options) {
 void add_export(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
     CLI::App& command = add_command(
-        program, "export", "Write a net, also as built, for another program",
+        program, "export",
+        "Write a net, also as built, or the tables of a result, for another program",
         "  taut export net.json --to vtk -o net.vtk\n"
         "  taut export net.json built.csv --lengths truth.csv --to compas -o graph.json\n"
-        "  taut export result.json --to net -o built.json     (the net as built)",
+        "  taut export result.json --to net -o built.json     (the net as built)\n"
+        "  taut export plan.json --to xlsx -o turns.xlsx     (the list for the crews)",
         *options);
     command
         .add_option("NET", options->net,
                     "Net file, or a result of identify: the net with its identified lengths in "
-                    "the predicted form")
+                    "the predicted form. For xlsx a result of identify or plan")
         ->required();
     command.add_option("FORM", options->form,
                        "Form file (id,x,y,z; default: the equilibrium of the net)");
@@ -209,9 +240,10 @@ void add_export(CLI::App& program) {
                        "Lengths of the form, as taut form --lengths writes them (default: NET's)");
     command
         .add_option("--to", options->format,
-                    "Format: net is taut's own; csv writes a second file, ..._edges")
+                    "Format: net is taut's own; csv writes a second file, ..._edges; xlsx writes "
+                    "tables for Excel: edges and nodes, or the list of turns")
         ->required()
-        ->check(CLI::IsMember({"net", "compas", "obj", "csv", "vtk"}));
+        ->check(CLI::IsMember({"net", "compas", "obj", "csv", "vtk", "xlsx"}));
     add_output_option(command, options->output, "File to write");
     set_action(command, options, run);
 }

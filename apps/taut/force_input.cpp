@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "command.hpp"
-#include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/io/forces_csv.hpp"
 #include "taut/net/units.hpp"
 #include "taut/sampling/data_set.hpp"
@@ -80,7 +80,7 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
 Forces read_forces(const CableNet& net, const ForceOptions& options) {
     Forces forces;
     if (!options.forces.empty()) {
-        forces.measurements = parse_force_measurements(net, read_file(options.forces),
+        forces.measurements = parse_force_measurements(net, read_table(options.forces),
                                                        options.forces, format_of(options));
         if (const std::string warning =
                 force_unit_warning(net, forces.measurements, options.forces);
@@ -106,7 +106,7 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
     if (options.forces.empty()) {
         return {};
     }
-    const std::string text = read_file(options.forces);
+    const std::string text = read_table(options.forces);
     if (!is_edge_list(text, options.forces)) {
         return read_forces(net, options);
     }
@@ -127,7 +127,7 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
 }
 
 std::vector<int> read_edge_list(const CableNet& net, const std::string& file) {
-    return parse_edge_list(net, read_file(file), file);
+    return parse_edge_list(net, read_table(file), file);
 }
 
 LengthPrior prior_for(const CableNet& net, const std::string& text, const std::string& net_file) {

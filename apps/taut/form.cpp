@@ -6,6 +6,7 @@
 #include "net_summary.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/io/form_csv.hpp"
 #include "taut/io/lengths_csv.hpp"
 #include "taut/io/net_json.hpp"
@@ -36,7 +37,7 @@ struct FormOptions : CommonOptions {
 CableNet as_turned(const FormOptions& options, const CableNet& net) {
     return options.turned.empty()
                ? net
-               : turned_net(net, parse_turned(net, read_file(options.turned), options.turned));
+               : turned_net(net, parse_turned(net, read_table(options.turned), options.turned));
 }
 
 /// The net as designed, or as it might be built under the prior.

@@ -22,6 +22,7 @@
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/model.hpp"
@@ -498,7 +499,7 @@ std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const O
     for (const EpochFiles& files : options.epochs) {
         Epoch epoch;
         if (!files.turned.empty()) {
-            epoch.turned = parse_turned(net, read_file(files.turned), files.turned);
+            epoch.turned = parse_turned(net, read_table(files.turned), files.turned);
         }
         steps.push_back(epoch.turned);
         Options of_epoch = options;

@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "net_summary.hpp"
 #include "taut/files/file.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/interchange/compas_json.hpp"
 #include "taut/interchange/foreign_format.hpp"
 #include "taut/interchange/net_csv.hpp"
@@ -31,7 +32,7 @@ struct ImportOptions : CommonOptions {
 
 /// The structure in the file.
 ImportedStructure read_structure(const ImportOptions& options) {
-    const std::string text = read_file(options.file);
+    const std::string text = read_table(options.file);
     const ForeignFormat format = options.format.empty() ? detect_format(text, options.file)
                                                         : format_named(options.format, text);
     if (format != ForeignFormat::json && !options.select.empty()) {
@@ -53,7 +54,7 @@ ImportedStructure read_structure(const ImportOptions& options) {
         case ForeignFormat::obj:
             return parse_obj(text, options.file);
         default:
-            return parse_net_csv({.nodes = text, .edges = read_file(options.edges)}, options.file,
+            return parse_net_csv({.nodes = text, .edges = read_table(options.edges)}, options.file,
                                  options.edges);
     }
 }
@@ -62,7 +63,7 @@ void add_supports(const std::string& supports, ImportedStructure& structure) {
     if (supports == "boundary") {
         support_boundary(structure);
     } else if (!supports.empty()) {
-        support_named(structure, read_file(supports), supports);
+        support_named(structure, read_table(supports), supports);
     }
 }
 
@@ -130,7 +131,7 @@ void run(const ImportOptions& options) {
     ImportSettings settings = options.settings;
     if (!options.stress_strain.empty()) {
         settings.stress_strain =
-            parse_stress_strain(read_file(options.stress_strain), options.stress_strain);
+            parse_stress_strain(read_table(options.stress_strain), options.stress_strain);
     }
     using Loads = ImportSettings::Loads;
     settings.loads = options.loads == "balance" ? Loads::balance

@@ -13,6 +13,7 @@
 #include "taut/adjustment/plan_turns.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/interchange/foreign_survey.hpp"
 #include "taut/io/adjustment_csv.hpp"
 #include "taut/io/net_json.hpp"
@@ -59,7 +60,7 @@ FormTarget target_of(const CableNet& net, const PlanCommand& command) {
     warn(command.target, target_warnings(net, target));
     if (!command.node_weights.empty()) {
         const std::vector<NodeWeights> weights =
-            parse_node_weights(net, read_file(command.node_weights), command.node_weights);
+            parse_node_weights(net, read_table(command.node_weights), command.node_weights);
         naming_file(command.node_weights, [&] { target.set_weights(weights); });
     }
     return target;
@@ -72,13 +73,14 @@ PlanRequest request_of(const CableNet& net, const PlanCommand& command) {
         request.options.edges = read_edge_list(net, command.adjustable);
     }
     if (std::filesystem::is_regular_file(command.stroke)) {
-        request.stroke_ranges = parse_stroke_ranges(net, read_file(command.stroke), command.stroke);
+        request.stroke_ranges =
+            parse_stroke_ranges(net, read_table(command.stroke), command.stroke);
     } else {
         request.stroke = parse_length(command.stroke);
     }
     for (const std::string& file : command.checks) {
         request.load_cases.push_back(
-            {.name = file, .loads = parse_loads(net, read_file(file), file)});
+            {.name = file, .loads = parse_loads(net, read_table(file), file)});
     }
     return request;
 }

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "command.hpp"
-#include "taut/files/file.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/interchange/foreign_survey.hpp"
 #include "taut/io/target_offsets_csv.hpp"
 #include "taut/net/units.hpp"
@@ -138,7 +138,7 @@ ReadSurveyOptions SurveyOptions::read_options() const {
         options.noise_std = noise == estimated_noise ? first_guess : parse_noise(noise);
     }
     if (!offsets.empty()) {
-        options.offsets.of = parse_target_offsets(read_file(offsets), offsets);
+        options.offsets.of = parse_target_offsets(read_table(offsets), offsets);
     }
     return options;
 }

@@ -94,6 +94,7 @@ class Taut(ConanFile):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["TAUT_INSTALL"] = True
         toolchain.cache_variables["TAUT_WITH_METIS"] = False
+        toolchain.cache_variables["TAUT_WITH_XLSX"] = False
         toolchain.cache_variables["TAUT_WITH_CLARABEL"] = "ON" if self.options.with_conic else "OFF"
         for part in ("APP", "BENCHMARKS", "EXAMPLES", "TESTS", "VIEWER"):
             toolchain.cache_variables[f"TAUT_BUILD_{part}"] = False

@@ -53,6 +53,12 @@ class RangeLike : public nb::object {
               is_any)
 };
 
+/// The longest stroke, or the shortest and longest by edge.
+class StrokeLike : public nb::object {
+    static bool is_any(nb::handle) { return true; }
+    NB_OBJECT(StrokeLike, nb::object, "float | dict[int, tuple[float, float]]", is_any)
+};
+
 /// A force of all supports, or by group.
 class ForceLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
@@ -136,6 +142,26 @@ void add_tension(PlanRequest& request, const std::optional<RangeLike>& given, co
                           });
 }
 
+void add_strokes(PlanRequest& request, const std::optional<StrokeLike>& given) {
+    if (!given) {
+        return;
+    }
+    if (!nb::isinstance<nb::dict>(*given)) {
+        request.stroke = of_type<double>(*given, "stroke", "a length, or a dict of edges");
+        return;
+    }
+    for (const auto& [edge, range] : nb::borrow<nb::dict>(*given)) {
+        const auto [shortest, longest] =
+            of_type<std::pair<double, double>>(range, "stroke", "(shortest, longest) of each edge");
+        request.stroke_ranges.push_back({.edge = of_type<int>(edge, "stroke", "indices of edges"),
+                                         .shortest = shortest,
+                                         .longest = longest});
+    }
+    if (request.stroke_ranges.empty()) {
+        throw nb::value_error("stroke: names no edge, expected those that may be turned");
+    }
+}
+
 /// A surface given as (vertices, triangles).
 GivenTarget surface_argument(nb::handle vertices, nb::handle triangles, double unit) {
     const nb::object corners = nb::module_::import_("numpy").attr("asarray")(triangles);
@@ -213,7 +239,7 @@ PlannedTurns plan_on(const CableNet& net, const BuiltNet& built, const FormTarge
 }
 
 Planned planned(const Identified& identified, const std::optional<TargetLike>& target,
-                double stroke, const std::optional<RangeLike>& tension,
+                const std::optional<StrokeLike>& stroke, const std::optional<RangeLike>& tension,
                 const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
                 const std::optional<double>& step, const std::optional<double>& tolerance,
                 double confidence, double actuator_std, int crews,
@@ -232,7 +258,6 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
                                     .survey_noise = suggest_targets,
                                     .seed = seed,
                                     .accept_failed = accept_failed},
-                        .stroke = stroke,
                         .total_stroke = total_stroke,
                         .crews = crews,
                         .suggest_adjustable = suggest_adjustable};
@@ -250,6 +275,7 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
     if (thread) {
         request.thread = thread_named(*thread);
     }
+    add_strokes(request, stroke);
     add_tension(request, tension, "tension", false);
     add_tension(request, tension_part, "tension_part", true);
     if (reaction) {
@@ -429,17 +455,17 @@ void bind_plan(nb::module_& module) {
 void bind_adjustment(nb::module_& module) {
     bind_plan(module);
     module.def("plan", &planned, nb::arg("identification"), nb::arg("target") = nb::none(),
-               nb::kw_only(), nb::arg("stroke") = PlanRequest().stroke,
-               nb::arg("tension") = nb::none(), nb::arg("edges") = nb::none(),
-               nb::arg("turn") = nb::none(), nb::arg("step") = nb::none(),
-               nb::arg("tolerance") = nb::none(), nb::arg("confidence") = 0.95,
-               nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1, nb::arg("thread") = nb::none(),
-               nb::arg("suggest_adjustable") = 0, nb::arg("suggest_targets") = nb::none(),
-               nb::arg("accept_failed") = false, nb::arg("total_stroke") = nb::none(),
-               nb::arg("tension_part") = nb::none(), nb::arg("reaction") = nb::none(),
-               nb::arg("load_cases") = nb::none(), nb::arg("target_unit") = "m",
-               nb::arg("weights") = nb::none(), nb::arg("objective") = "rms",
-               nb::arg("seed") = PlanOptions().seed, nb::arg("progress") = nb::none(),
+               nb::kw_only(), nb::arg("stroke") = nb::none(), nb::arg("tension") = nb::none(),
+               nb::arg("edges") = nb::none(), nb::arg("turn") = nb::none(),
+               nb::arg("step") = nb::none(), nb::arg("tolerance") = nb::none(),
+               nb::arg("confidence") = 0.95, nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1,
+               nb::arg("thread") = nb::none(), nb::arg("suggest_adjustable") = 0,
+               nb::arg("suggest_targets") = nb::none(), nb::arg("accept_failed") = false,
+               nb::arg("total_stroke") = nb::none(), nb::arg("tension_part") = nb::none(),
+               nb::arg("reaction") = nb::none(), nb::arg("load_cases") = nb::none(),
+               nb::arg("target_unit") = "m", nb::arg("weights") = nb::none(),
+               nb::arg("objective") = "rms", nb::arg("seed") = PlanOptions().seed,
+               nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
 Args:
@@ -447,7 +473,8 @@ Args:
     target: form to approach (n, 3), by default the nominal one [m]; or a surface, as its vertices
         (v, 3) and triangles (f, 3) in a tuple; or the name of a file of a form, or of a surface
         (.obj, .ply).
-    stroke: longest stroke of each edge from where it is, either way [m].
+    stroke: longest stroke of each edge from where it is, either way, by default 0.015 [m]; or
+        (shortest, longest) by edge, {3: (-0.01, 0.005)}: others are not turned.
     tension: (least, most) of every edge; either may be None [N]. Or a dict of these by group; the
         key None is for every edge, and groups override it.
     edges: that may be turned, by default the adjustable ones.

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arrays.hpp"
@@ -18,6 +21,7 @@
 #include "taut/interchange/obj.hpp"
 #include "taut/report/report_html.hpp"
 #include "taut/results/result_file.hpp"
+#include "taut/results/result_xlsx.hpp"
 #include "words.hpp"
 
 namespace taut::python {
@@ -106,6 +110,17 @@ void bind_interchange(nb::module_& module) {
             write_file(output, read_file(page));
         },
         nb::arg("page"), nb::arg("output"));
+    module.def(
+        "write_xlsx",
+        [](const std::filesystem::path& result, const std::filesystem::path& output) {
+            ResultXlsx tables = result_to_xlsx(read_result(result), result.string());
+            write_file(output, tables.bytes);
+            return std::move(tables.remarks);
+        },
+        nb::arg("result"), nb::arg("output"),
+        "The tables of a saved result as an Excel file, as taut export --to xlsx: of a plan the "
+        "list for the crews, of an identification edges and nodes. Gives the warnings that stand "
+        "above them.");
     module.def("has_report_viewer", &has_report_viewer,
                "Whether reports can be made: this build holds their viewer.");
 }

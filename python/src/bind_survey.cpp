@@ -17,7 +17,7 @@
 #include "bindings.hpp"
 #include "dicts.hpp"
 #include "states.hpp"
-#include "taut/files/file.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/read_survey.hpp"
 #include "taut/io/target_offsets_csv.hpp"
@@ -95,7 +95,7 @@ ReadSurveyOptions options_of(std::optional<double> noise, const Given& given) {
         options.file.takes_observations = true;
     });
     take("offsets", [&](const std::string& file) {
-        options.offsets.of = parse_target_offsets(read_file(file), file);
+        options.offsets.of = parse_target_offsets(read_table(file), file);
     });
     take("offset",
          [&](const std::string& text) { options.offsets.all = parse_target_offset(text); });

@@ -43,6 +43,13 @@ Limits limits_of_ranges(const CableNet& net, std::vector<StrokeRange> ranges,
             throw RequestError("stroke", fmt::format("names edge '{}', which is not adjustable",
                                                      net.edge_id(range.edge)));
         }
+        if (!(range.shortest <= 0.0 && range.longest >= 0.0) ||
+            !std::isfinite(range.longest - range.shortest)) {
+            throw RequestError(
+                "stroke", fmt::format("of edge '{}' goes from {:g} to {:g} m, expected a range "
+                                      "that holds 0",
+                                      net.edge_id(range.edge), range.shortest, range.longest));
+        }
     }
     std::erase_if(ranges, [&](const StrokeRange& range) {
         return !std::ranges::binary_search(edges, range.edge);

@@ -18,12 +18,8 @@ namespace taut {
 }
 
 /// Text as one CSV field: in quotes where a reader could see a separator, a quote, a comment, the
-/// end of the line or blanks around the field in it. Text that a spreadsheet would take for a
-/// formula is led by an apostrophe, unless it is a number: names may come from anybody.
-[[nodiscard]] inline std::string csv_field(std::string text) {
-    if (begins_as_formula(text) && !parse_number(text)) {
-        text.insert(0, 1, '\'');
-    }
+/// end of the line or blanks around the field in it.
+[[nodiscard]] inline std::string quoted_csv_field(const std::string& text) {
     if (!text.empty() && text.find_first_of(",;\"\r\n\t ") == std::string::npos &&
         !text.starts_with('#')) {
         return text;
@@ -33,6 +29,15 @@ namespace taut {
         result += c == '"' ? "\"\"" : std::string(1, c);
     }
     return result + '"';
+}
+
+/// quoted_csv_field(). Text that a spreadsheet would take for a formula is led by an apostrophe,
+/// unless it is a number: names may come from anybody.
+[[nodiscard]] inline std::string csv_field(std::string text) {
+    if (begins_as_formula(text) && !parse_number(text)) {
+        text.insert(0, 1, '\'');
+    }
+    return quoted_csv_field(text);
 }
 
 /// The text that csv_field() led by an apostrophe, without it.

@@ -20,8 +20,8 @@
 #include "survey/point_names.hpp"
 #include "survey/repeated_points.hpp"
 #include "survey/rounding.hpp"
-#include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
 #include "taut/net/units.hpp"
@@ -354,7 +354,7 @@ Survey read_survey(const CableNet& net, std::vector<SurveyPoint> points,
 Survey read_planned_survey(const CableNet& net, const std::filesystem::path& file,
                            const ReadSurveyOptions& options) {
     check(options);
-    const std::string text = read_file(file);
+    const std::string text = read_table(file);
     const bool may_be_list = options.file == SurveyFileOptions{} &&
                              detect_survey_format(text, file.string()) == SurveyFormat::table &&
                              text.find('\0') == std::string::npos;

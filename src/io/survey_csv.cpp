@@ -14,8 +14,8 @@
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
 #include "interchange/surveys/survey_reader.hpp"
-#include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
@@ -178,7 +178,7 @@ std::vector<SurveyPoint> parse_pts_points(std::string_view text, const std::stri
 }
 
 std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path) {
-    const std::string text = read_file(path);
+    const std::string text = read_table(path);
     return in_lower_case(path.extension().string()) == ".pts"
                ? parse_pts_points(text, path.string())
                : parse_survey_points(text, path.string());

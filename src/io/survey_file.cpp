@@ -15,8 +15,8 @@
 #include "io/polar_survey.hpp"
 #include "survey/rounding.hpp"
 #include "survey/unit_guess.hpp"
-#include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 
@@ -142,12 +142,8 @@ SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::st
     return file;
 }
 
-}  // namespace
-
-SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& path,
-                            const ReadSurveyOptions& options) {
-    const std::string text = read_file(path);
-    const std::string name = path.string();
+SurveyFile survey_of_text(const CableNet& net, const std::string& text, const std::string& name,
+                          const ReadSurveyOptions& options) {
     if (!options.file.format && is_polar_csv(text)) {
         return targets_of_observations(net, parse_polar_csv(text, name, options.file.angle_unit),
                                        options, "observations of angles and distances", name);
@@ -174,6 +170,38 @@ SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& pa
         throw;
     }
     return from_foreign(net, std::move(*survey), name, options);
+}
+
+/// What a text file has and a sheet has not.
+void check_sheet(const SurveyFileOptions& options, const std::string& file_name) {
+    if (options.separator || options.encoding) {
+        throw InputError(file_name, "",
+                         fmt::format("is an Excel file, which has no {}: leave it out",
+                                     options.separator ? "separator" : "encoding"));
+    }
+}
+
+}  // namespace
+
+SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& path,
+                            const ReadSurveyOptions& options) {
+    const TableFile table = read_table_file(path);
+    if (table.sheet.empty()) {
+        return survey_of_text(net, table.text, path.string(), options);
+    }
+    check_sheet(options.file, path.string());
+    SurveyFile file = survey_of_text(net, table.text, path.string(), options);
+    // Not in the words of the CSV that it was read through.
+    std::erase_if(file.notes,
+                  [](const std::string& note) { return note.starts_with("separator:"); });
+    constexpr std::string_view as_text = "read as text table";
+    const std::string as_sheet = fmt::format("read as Excel sheet '{}'", table.sheet);
+    if (!file.notes.empty() && file.notes.front().starts_with(as_text)) {
+        file.notes.front().replace(0, as_text.size(), as_sheet);
+    } else {
+        file.notes.insert(file.notes.begin(), as_sheet);
+    }
+    return file;
 }
 
 }  // namespace taut

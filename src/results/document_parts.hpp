@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct ListedTurning {
 
 /// The turnings of a plan, in the order of the work.
 [[nodiscard]] std::vector<ListedTurning> listed_turnings(const PlanRecord& record);
+
+/// The name of the support at an edge's end; empty where it has none.
+[[nodiscard]] std::string support_id(const CableNet& net, int edge);
 
 /// Simulated jobs, as they are saved.
 struct ControlDocument {

@@ -15,16 +15,6 @@
 namespace taut {
 namespace {
 
-/// Of the support at an edge's end; empty where it has none.
-std::string support_id(const CableNet& net, int edge) {
-    for (const int node : net.edges()[edge]) {
-        if (net.free_index(node) < 0) {
-            return net.node_id(node);
-        }
-    }
-    return {};
-}
-
 std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
     const std::vector<int>& adjustable = record.net->adjustable_edges();
     const std::vector<Thread>& threads = record.net->data().thread;
@@ -36,6 +26,15 @@ std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
 }
 
 }  // namespace
+
+std::string support_id(const CableNet& net, int edge) {
+    for (const int node : net.edges()[edge]) {
+        if (net.free_index(node) < 0) {
+            return net.node_id(node);
+        }
+    }
+    return {};
+}
 
 std::vector<ListedTurning> listed_turnings(const PlanRecord& record) {
     std::map<int, double> length;

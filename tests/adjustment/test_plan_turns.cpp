@@ -138,6 +138,8 @@ TEST_F(PlanRequestOfAHypar, TurnsOnlyTheEdgesThatRangesOfStrokesName) {
     EXPECT_EQ(limits.shortest_stroke(0), -1e-3);
     EXPECT_EQ(limits.longest_stroke(0), 2e-3);
     expect_refused({.stroke_ranges = {{.edge = inner}}}, "stroke", "which is not adjustable");
+    expect_refused({.stroke_ranges = {{.edge = second, .shortest = 1e-3, .longest = 2e-3}}},
+                   "stroke", "goes from 0.001 to 0.002 m, expected a range that holds 0");
     expect_refused({.options = {.edges = {first}}, .stroke_ranges = {range}}, "stroke",
                    "leaves no edge that may be turned");
     // An interior edge may be turned where that is asked for, and then no other.

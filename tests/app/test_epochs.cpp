@@ -36,6 +36,24 @@ protected:
     }
 };
 
+TEST_F(EpochCommand, TakesTheListThatWasFilledInAsExcelFile) {
+    must_run({"export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx"});
+    const auto turned = [&](const std::string& list) {
+        const Outcome outcome = identify("second.csv:" + list);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json::parse(read("both.json"))["turned"];
+    };
+    const json as_text = turned("turns.csv");
+    const json as_sheet = turned("turns.xlsx");
+    ASSERT_EQ(as_sheet.size(), as_text.size());
+    ASSERT_GT(as_sheet.size(), 0U);
+    for (size_t i = 0; i < as_text.size(); ++i) {
+        EXPECT_EQ(as_sheet[i]["id"], as_text[i]["id"]);
+        // The text is rounded to a thousandth of a millimetre.
+        EXPECT_NEAR(as_sheet[i]["stroke"].get<double>(), as_text[i]["stroke"].get<double>(), 1e-6);
+    }
+}
+
 TEST_F(EpochCommand, LeadsToAPlanOfTheRemainingTurns) {
     const Outcome outcome = identify("second.csv:turns.csv");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

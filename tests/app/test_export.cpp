@@ -4,8 +4,12 @@
 // Guards against a form that is written with the lengths of another net, and so with tensions of
 // neither, and against a net that changes on its way out to another program and back.
 
+#include <algorithm>
+
 #include "app/program.hpp"
+#include "support/errors.hpp"
 #include "taut/design/builtin_nets.hpp"
+#include "taut/files/table_file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/report/report_html.hpp"
 #include "taut/statics/tensions.hpp"
@@ -92,6 +96,35 @@ TEST_F(Export, GivesTheNetAsAnIdentificationFoundIt) {
     EXPECT_LT(form["largest_move"], 1e-9) << "the exported form is not in equilibrium";
 }
 
+TEST_F(Export, WritesTheListOfTurnsAsAnExcelFile) {
+    identify({"--noise", "0.5mm", "--seed", "3"}, {"--draws", "20"});
+    static_cast<void>(
+        run({"plan", "net.json", "result.json", "-o", "plan.json", "--csv", "turns.csv"}));
+    const Outcome good = run({"export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx"});
+    EXPECT_EQ(good.exit_code, 0) << good.err;
+    const std::string text = read("turns.csv");
+    const TableFile sheet = read_table_file(folder() / "turns.xlsx");
+    EXPECT_EQ(sheet.sheet, "turns");
+    EXPECT_EQ(std::ranges::count(sheet.text, '\n'), std::ranges::count(text, '\n'));
+    EXPECT_EQ(sheet.text.substr(0, sheet.text.find('\n')), text.substr(0, text.find('\n')));
+    json plan = json::parse(read("plan.json"));
+    plan["warnings"] = {"DO NOT TURN BY THIS LIST: the plan breaks limits"};
+    write("bad.json", plan.dump());
+    const Outcome bad = run({"export", "bad.json", "--to", "xlsx", "-o", "bad.xlsx"});
+    EXPECT_THAT(bad.err, HasSubstr("bad.json: DO NOT TURN BY THIS LIST"));
+    EXPECT_THAT(read_table(folder() / "bad.xlsx"),
+                testing::StartsWith("# DO NOT TURN BY THIS LIST: the plan breaks limits\nnumber,"));
+}
+
+TEST_F(Export, WritesEdgesAndNodesOfAResultAsAnExcelFile) {
+    identify({"--noise", "0.5mm", "--seed", "3"}, {"--draws", "20"});
+    const json written = json::parse(
+        must_run({"export", "result.json", "--to", "xlsx", "-o", "tables.xlsx", "--json"}));
+    EXPECT_EQ(written["files"], json{"tables.xlsx"});
+    EXPECT_THAT(input_error_of([&] { return read_table(folder() / "tables.xlsx"); }),
+                HasSubstr("holds tables in the sheets 'edges', 'nodes'"));
+}
+
 TEST_F(Export, LeavesTheDrawsOfItsResultAsTheyAre) {
     identify({"--noise", "0.5mm", "--seed", "3"}, {"--draws", "20"});
     const std::string draws = read("result_draws.h5");
@@ -154,6 +187,9 @@ TEST_F(Export, RefusesWrongInputsInOneLineAndTouchesNoFile) {
     refused({"net.json"}, "--to");
     refused({"net.json", "short.csv", "--to", "obj"}, "short.csv");
     refused({"study.json", "--to", "net"}, "study.json:/format");
+    refused({"study.json", "--to", "xlsx"}, "study.json:/");
+    refused({"net.json", "--to", "xlsx"}, "net.json:/format");
+    refused({"result.json", "built.csv", "--to", "xlsx"}, "FORM and --lengths are for a net");
     refused({"result.json", "--lengths", "truth.csv", "--to", "net"}, "result.json is a result");
     refused({"net.json", "--lengths", "built.csv", "--to", "net"}, "built.csv:1: ");
     refused({"net.json", "--lengths", "nothing.csv", "--to", "net"}, "nothing.csv");

@@ -38,6 +38,22 @@ TEST_F(SurveyFormats, AreDescribedInTheOutputAndOnStandardErrorWithJson) {
         HasSubstr("read as Leica GSI-16"));
 }
 
+TEST_F(SurveyFormats, IncludeASheetOfExcel) {
+    const std::vector<std::string> command{
+        "inspect", "net.json", "--survey", data_file("excel.xlsx"), "--noise", "0.2mm"};
+    const std::string said = must_run(command);
+    EXPECT_THAT(said, AllOf(HasSubstr("read as Excel sheet 'Aufmaß & Lage', in mm by the file"),
+                            HasSubstr("columns: Pkt-Nr as id, Rechtswert [mm] as x"),
+                            testing::Not(HasSubstr("separator"))));
+    std::vector<std::string> with_separator = command;
+    with_separator.insert(with_separator.end(), {"--separator", "comma"});
+    expect_error(run(with_separator), 2, "excel.xlsx: is an Excel file, which has no separator");
+    write("cut.xlsx", read(data_file("excel.xlsx")).substr(0, 5000));
+    expect_error(run({"identify", "net.json", "cut.xlsx", "-o", "result.json"}), 2,
+                 "cut.xlsx: is a ZIP archive, as xlsx files are, that is damaged");
+    EXPECT_FALSE(exists("result.json"));
+}
+
 TEST_F(SurveyFormats, WriteTheTableOfNames) {
     const Outcome outcome = run({"identify", "net.json", data_file("scan.pts"), "--noise", "0.2mm",
                                  "--draws", "0", "--names", "names.csv"});

@@ -258,6 +258,8 @@ COMMANDS = [
     (["export", "net.json", "--to", "compas", "-o", "out.json"], ["net.json"], ["out.json"]),
     (["export", "net.json", "form.csv", "--to", "vtk", "-o", "out.vtk"], ["form.csv"], ["out.vtk"]),
     (["export", "result.json", "--to", "net", "-o", "out.json"], ["result.json"], ["out.json"]),
+    (["export", "result.json", "--to", "xlsx", "-o", "out.xlsx"], ["result.json"], ["out.xlsx"]),
+    (["export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx"], ["plan.json"], ["turns.xlsx"]),
     (["import", "compas.json", "-o", "out.json", "--axial-stiffness", "100kN"], ["compas.json"], ["out.json"]),
     (["import", "compas.json", "-o", "out.json", "--stress-strain", "strands.csv", "--diameter", "8mm"], ["strands.csv", "compas.json"], ["out.json"]),
     (["import", "nodes.csv", "--edges", "nodes_edges.csv", "-o", "out.json"], ["nodes.csv", "nodes_edges.csv"], ["out.json"]),
@@ -267,7 +269,7 @@ COMMANDS = [
     (["compare", "net.json", "-o", "study", "--noise", "0.3mm", "--training", "10", "--surveys", "1", "--quiet"], ["net.json"], ["study/"]),
     (["reproduce", "--net", "net.json", "--samples", "12", "--validation", "2", "-o", "study", "--quiet"], ["net.json"], ["study/"]),
     *((["inspect", "net45.json", "--survey", name], [name], []) for name in (
-        "drawing.dxf", "english.txt", "gama.xml", "german.csv", "gsi16.gsi", "gsi8.gsi", "jobxml.jxl", "landxml.xml", "scan.pts", "scan.xyz",
+        "drawing.dxf", "english.txt", "excel.xlsx", "gama.xml", "german.csv", "gsi16.gsi", "gsi8.gsi", "jobxml.jxl", "landxml.xml", "scan.pts", "scan.xyz",
     )),
 ]  # fmt: skip
 

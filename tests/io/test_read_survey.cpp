@@ -70,7 +70,7 @@ TEST_F(ReadSurvey, GivesTheSameFormOutOfEveryFormat) {
     EXPECT_THAT(own.warnings, IsEmpty());
     for (const char* const name :
          {"german.csv", "english.txt", "gsi8.gsi", "gsi16.gsi", "landxml.xml", "jobxml.jxl",
-          "gama.xml", "drawing.dxf", "scan.pts", "scan.xyz"}) {
+          "gama.xml", "drawing.dxf", "scan.pts", "scan.xyz", "excel.xlsx"}) {
         const Survey survey = read_survey(m_net, data_file(name));
         EXPECT_EQ(survey.surveyed, own.surveyed) << name;
         EXPECT_LT((survey.form - own.form).cwiseAbs().maxCoeff(), 1e-12) << name;

@@ -120,6 +120,8 @@ def job(net, columns, tmp_path_factory):
     (folder / "roof.obj").write_text("\n".join(text) + "\n")
     weight = "\n".join(f"{net.node_id(node)},3,0.5" for node in net.free_nodes[:5])
     (folder / "weights.csv").write_text(f"id,normal,tangential\n{weight}\n")
+    strokes = "\n".join(f"{net.edge_id(edge)},-0.004,0.01" for edge in net.adjustable_edges[:9])
+    (folder / "strokes.csv").write_text(f"edge,shortest,longest\n{strokes}\n")
     survey = taut.read_survey(grouped, columns)
     found = taut.identify(grouped, survey, prior="uniform:3mm", draws=60)
     found.save(folder / "result.json")
@@ -139,6 +141,12 @@ JOBS = {
     "strokes": (
         ["--stroke", "12mm", "--total-stroke", "9mm", "--turn", "4mm", "--step", "1/4"],
         lambda job: {"stroke": 0.012, "total_stroke": 0.009, "turn": 0.004, "step": 0.25},
+    ),
+    "strokes by edge": (
+        ["--stroke", "strokes.csv"],
+        lambda job: {
+            "stroke": dict.fromkeys(job["found"].net.adjustable_edges[:9].tolist(), (-0.004, 0.01))
+        },
     ),
     "tension by group": (
         ["--tension", "10N..", "--tension", "..40kN@ridge", "--confidence", "90%"],
@@ -208,6 +216,8 @@ def test_the_samples_that_a_confidence_takes_are_told(found):
     ("settings", "words"),
     [
         ({"stroke": -1.0}, "stroke"),
+        ({"stroke": {}}, "stroke: names no edge"),
+        ({"stroke": {10**6: (-1.0, 1.0)}}, "edge"),
         ({"total_stroke": 0.0}, "total_stroke: is 0mm, expected more than 0"),
         ({"tension": {"ridge": (1.0, None)}}, "tension: names the group 'ridge'"),
         ({"tension": (2.0, 1.0)}, "tension: is 2 N..1 N"),
@@ -233,7 +243,9 @@ def test_what_cannot_be_planned_is_refused(found, settings, words):
         taut.plan(found, **settings)
 
 
-@pytest.mark.parametrize("settings", [{"tension": 3.0}, {"reaction": "much"}, {"load_cases": 1}])
+@pytest.mark.parametrize(
+    "settings", [{"tension": 3.0}, {"reaction": "much"}, {"load_cases": 1}, {"stroke": {0: 1.0}}]
+)
 def test_what_is_of_no_such_kind_is_refused_by_its_name(found, settings):
     [name] = settings
     with pytest.raises((TypeError, ValueError), match=name):

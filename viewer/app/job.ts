@@ -4,6 +4,7 @@
 // A job: its files, what was set, and what came out, in one file that can be saved and mailed.
 
 import { isNotes, type Notes } from "../src/notes";
+import { withoutExcel } from "./xlsx";
 
 export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "later" | "turned" | "target" | "none";
 
@@ -120,7 +121,7 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (/\.obj$/i.test(name)) return ![undefined, name].includes(namedIn(job, "net")) ? "target" : "net";
   if (formatOf(name, bytes) !== null) return "net";
   const head = text(bytes.subarray(0, 2000));
-  if (/\bstroke\b/.test(head)) return "turned";
+  if (/\bstroke(_mm)?\b/.test(head)) return "turned";
   if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
   if (/^\s*strain\W+stress\b/m.test(head)) return "law";
   if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
@@ -148,5 +149,5 @@ export function epochWords({ inputs }: Job): string[] {
 /** A file's content under a name without folders. Throws for one that the program would refuse. */
 export async function contentOf(file: File): Promise<Uint8Array> {
   if (file.size > largest) throw new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB, expected at most ${largest / 2 ** 20}`);
-  return new Uint8Array(await file.arrayBuffer());
+  return withoutExcel(file.name, new Uint8Array(await file.arrayBuffer()));
 }

@@ -5,6 +5,7 @@
 
 import { turnedCsv } from "../src/as_made";
 import { byId, h, section } from "../src/dom";
+import { counted } from "../src/format";
 import type { Notes } from "../src/notes";
 import type { Plan } from "../src/result";
 import { Frames } from "./frames";
@@ -79,7 +80,7 @@ async function command(work: Work, words: string[]): Promise<string> {
   return stdout;
 }
 
-async function read(work: Work): Promise<void> {
+async function read(work: Work): Promise<string> {
   const name = named("net");
   if (name !== undefined && netName() !== name) {
     await command(work, ["import", name, ...roleWords(job, "import"), "-o", netFile, ...wordsOf(importSettings, job.settings)]);
@@ -92,6 +93,7 @@ async function read(work: Work): Promise<void> {
   const nodes = Number(/^net .*: (\d+) free node/m.exec(stdout)?.[1] ?? 0);
   byId("size").textContent = nodes > manyNodes
     ? `This net has ${nodes} free nodes. In a browser it may take minutes and more memory than there is. taut for Linux does the same with the same files, and faster.` : "";
+  return survey === undefined ? "The survey is still missing." : "";
 }
 
 /** Forgets results from lengths or turns on, and what was written on the plan. */
@@ -102,21 +104,24 @@ function forget(from: "lengths" | "turns"): void {
   showMade();
 }
 
-async function identify(work: Work): Promise<void> {
+async function identify(work: Work): Promise<string> {
   const survey = named("survey");
   if (survey === undefined) throw new Error("There is no survey yet: drop its file.");
   forget("lengths");
   planning.clear();
-  await command(work, ["identify", netName(), survey, ...epochWords(job), ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
+  const stdout = await command(work, ["identify", netName(), survey, ...epochWords(job), ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
   await showReport(byId("lengths"), resultFile);
+  return /^Checks: \w+\./m.exec(stdout)?.[0] ?? "";
 }
 
-async function plan(work: Work): Promise<void> {
+async function plan(work: Work): Promise<string> {
   if (!job.outputs[resultFile]) throw new Error("Identify first: a plan starts from the lengths.");
   forget("turns");
   await command(work, ["plan", netName(), resultFile, ...roleWords(job, "plan"), ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
   await showReport(byId("turns"), planFile);
   showMade();
+  const { turns, warnings } = madePlan();
+  return warnings?.[0] ?? `${counted(turns.length, "turn")}.`;
 }
 
 const reading = new Work("Read again", read);
@@ -140,11 +145,11 @@ function showFiles(): void {
   byId("import").hidden = net === undefined || !isForeign(net, job.inputs.get(net)!.bytes);
 }
 
-const turnsOf = (): Pick<Plan, "turns"> => (job.outputs[planFile] ? (JSON.parse(text(job.outputs[planFile])) as Plan) : { turns: [] });
+const madePlan = (): Pick<Plan, "turns" | "warnings"> => (job.outputs[planFile] ? (JSON.parse(text(job.outputs[planFile])) as Plan) : { turns: [] });
 
 /** What comes after the turns: how many are ticked off, and the next survey. */
 function showMade(): void {
-  const { turns } = turnsOf();
+  const { turns } = madePlan();
   const made = (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
   byId("made").textContent = turns.length === 0 ? "Make a plan first. Its list of turns is ticked off in the report above."
     : `${made} of ${turns.length} turns are ticked off in the list above. Turn, survey again, and drop the next survey here: what is ticked off counts as turned before it.`;
@@ -166,25 +171,23 @@ function setRole(name: string, role: Role): void {
 }
 
 /** A name that no other file has: two surveys are often called the same. */
-function freeName(name: string, bytes: Uint8Array): string {
+function freeName(name: string): string {
   const [, stem, ending] = /^(.*?)(\.[^.]*)?$/.exec(name) as unknown as [string, string, string?];
-  const isFree = (one: string): boolean => !job.inputs.has(one) || text(job.inputs.get(one)!.bytes) === text(bytes);
   let free = name;
-  for (let i = 2; !isFree(free); ++i) free = `${stem}-${i}${ending ?? ""}`;
+  for (let i = 2; job.inputs.has(free); ++i) free = `${stem}-${i}${ending ?? ""}`;
   return free;
 }
 
 function add(name: string, bytes: Uint8Array): void {
   const role = guessedRole(name, bytes, job);
   if (role === "later") {
-    const turned = turnedCsv(turnsOf(), job.notes.strokes);
+    const turned = turnedCsv(madePlan(), job.notes.strokes);
     if (turned !== null) {
-      const made = new TextEncoder().encode(turned);
-      job.inputs.set(freeName("turned.csv", made), { role: "turned", bytes: made });
+      job.inputs.set(freeName("turned.csv"), { role: "turned", bytes: new TextEncoder().encode(turned) });
     }
   }
   // A file that comes again takes the place of the old one, unless it is another survey.
-  const own = role === "later" ? freeName(name, bytes) : name;
+  const own = role === "later" ? freeName(name) : name;
   job.inputs.delete(own);
   job.inputs.set(own, { role: "none", bytes });
   setRole(own, role);

@@ -17,7 +17,8 @@ export class Work implements RunOptions {
   private readonly details = h("details", { hidden: true }, h("summary", {}, "What the program said"), this.commands, this.output);
   private controller = new AbortController();
 
-  constructor(name: string, private readonly work: (work: Work) => Promise<void>) {
+  /** @param work gives its outcome in words */
+  constructor(name: string, private readonly work: (work: Work) => Promise<string>) {
     this.button = h("button", { type: "button", class: "do", id: `do-${name.toLowerCase().replace(/ .*/, "")}`, onclick: () => void this.start() }, name);
     this.cancel = h("button", { type: "button", hidden: true, onclick: () => this.controller.abort() }, "Cancel");
     this.element = h("div", { class: "work" }, h("div", { class: "buttons" }, this.button, this.cancel), this.status, this.details);
@@ -36,8 +37,8 @@ export class Work implements RunOptions {
     this.show("running", "Working …");
     const begin = performance.now();
     try {
-      await this.work(this);
-      if (controller === this.controller) this.show("done", `Done in ${((performance.now() - begin) / 1e3).toFixed(1)} s.`);
+      const outcome = await this.work(this);
+      if (controller === this.controller) this.show("done", `Done in ${((performance.now() - begin) / 1e3).toFixed(1)} s. ${outcome}`);
     } catch (error) {
       if (controller !== this.controller) return;
       this.show("failed", error instanceof Cancelled ? "Cancelled." : error instanceof Error ? error.message : String(error));

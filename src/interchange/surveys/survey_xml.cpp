@@ -13,12 +13,6 @@
 
 namespace taut {
 
-std::string_view local_name(pugi::xml_node node) {
-    const std::string_view name = node.name();
-    const size_t colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
-
 SurveyXml::SurveyXml(const std::string& text, const std::string& file_name)
     : m_file_name(file_name) {
     m_line_starts.push_back(0);

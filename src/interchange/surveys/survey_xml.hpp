@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "files/xml_name.hpp"
+
 namespace taut {
 
 /// An XML file in memory. pugixml expands no entities but the five of XML and those of characters,
@@ -41,8 +43,5 @@ private:
     const std::string& m_file_name;
     std::vector<std::ptrdiff_t> m_line_starts;
 };
-
-/// The name of an element without its namespace.
-[[nodiscard]] std::string_view local_name(pugi::xml_node node);
 
 }  // namespace taut
