@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
 #include <string_view>
 
 #include "command.hpp"
+#include "memory_limit.hpp"
 #include "run_program.hpp"
 #include "terminal.hpp"
 
@@ -10,6 +13,13 @@ namespace {
 
 /// Prints a failure in one line.
 int end(int code, std::string_view message) noexcept {
+#ifdef __wasi__
+    if (code != 0 && taut::app::ran_out_of_memory()) {
+        taut::app::print_message(
+            "error", fmt::format("not enough memory{}", taut::app::memory_limit_note()));
+        return taut::app::numerical_failure;
+    }
+#endif
     if (code != 0) {
         taut::app::print_message("error", message);
     }

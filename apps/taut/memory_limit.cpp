@@ -15,8 +15,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "terminal.hpp"
-
 #ifdef __linux__
 #include <sys/resource.h>
 #endif
@@ -109,6 +107,12 @@ void keep_to(std::uint64_t /*bytes*/) {
 
 }  // namespace
 
+#ifdef __wasi__
+bool keeps_memory_limit() noexcept {
+    return bytes_in_use() <= most_bytes;
+}
+#endif
+
 std::uint64_t parse_memory(std::string_view text) {
     constexpr double most = 1152921504606846976.0;  // 2^60
     double number = 0.0;
@@ -159,17 +163,3 @@ void require_memory(double bytes, std::string_view what) {
 }
 
 }  // namespace taut::app
-
-#ifdef __wasi__
-// Of malloc() in the C library: more memory, of whole pages. Libraries do not survive a malloc that
-// finds none: memory_glibc.cpp.
-extern "C" void* sbrk(std::intptr_t increment) {
-    const std::uint64_t before = taut::app::bytes_in_use();
-    if (increment > 0 &&
-        (before + static_cast<std::uint64_t>(increment) > taut::app::most_bytes ||
-         __builtin_wasm_memory_grow(0, increment / 65536) == static_cast<std::size_t>(-1))) {
-        taut::app::end_without_memory();
-    }
-    return reinterpret_cast<void*>(before);
-}
-#endif

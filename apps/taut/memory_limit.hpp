@@ -25,6 +25,14 @@ void limit_memory(const std::string& text, int threads);
 /// The limit, to end a message with: " (--memory is 1.5 GiB)", or nothing. Allocates nothing.
 [[nodiscard]] std::string_view memory_limit_note() noexcept;
 
+#ifdef __wasi__
+/// Whether the memory of WebAssembly, which no system limits, is within the limit.
+[[nodiscard]] bool keeps_memory_limit() noexcept;
+
+/// Whether an allocation has failed. A library may have taken that for something else.
+[[nodiscard]] bool ran_out_of_memory() noexcept;
+#endif
+
 /// Refuses what takes more than --memory allows, before the work.
 /// @param bytes what the work holds, besides the program itself
 /// @param what the work is, as in "the command needs 2.1 GiB for 100000 samples"

@@ -168,7 +168,11 @@ int run_program(const Program& program, int argc, char** argv) noexcept {
     } catch (const std::filesystem::filesystem_error& error) {
         return fail(wrong_input, error.what());
     } catch (const std::bad_alloc&) {
+#ifdef __wasi__
+        return fail(numerical_failure, "not enough memory");
+#else
         end_without_memory();  // as other threads may, too, at the same time
+#endif
     } catch (const std::runtime_error& error) {
         return fail(numerical_failure, error.what());
     } catch (const std::exception&) {

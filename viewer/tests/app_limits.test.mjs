@@ -49,12 +49,12 @@ test("what is known to need more than --memory is refused before it starts", asy
 
 test("where memory ends, so does the run, with one line, and the next one works", async () => {
   const [ended, next] = await page.evaluate(async () => {
-    const net = await window.net("hypar:45x45");
+    const net = await window.net("hypar:100x100");
     const words = ["form", "net.json", "-o", "form.csv"];
-    const ended = window.said(await window.taut.run([...words, "--memory", "24MiB"], net));
+    const ended = window.said(await window.taut.run([...words, "--memory", "40MiB"], net));
     return [ended, window.said(await window.taut.run(words, net))];
   });
-  expectError(ended, 1, /not enough memory \(--memory is 24MiB\)/);
+  expectError(ended, 1, /not enough memory \(--memory is 40MiB\)/);
   assert.equal(next.code, 0, next.stderr);
   assert.deepEqual(next.written, ["form.csv"]);
 });
