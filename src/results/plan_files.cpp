@@ -15,7 +15,12 @@
 namespace taut {
 namespace {
 
+/// Nothing too where the edge does not have one support, from which a rotation is seen.
 std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
+    const auto [s, t] = record.net->edges()[edge];
+    if ((record.net->free_index(s) < 0) == (record.net->free_index(t) < 0)) {
+        return std::nullopt;
+    }
     const std::vector<int>& adjustable = record.net->adjustable_edges();
     const std::vector<Thread>& threads = record.net->data().thread;
     const auto found = std::ranges::find(adjustable, edge);

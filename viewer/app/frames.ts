@@ -6,7 +6,7 @@
 import { h } from "../src/dom";
 import { isNotes, type Notes } from "../src/notes";
 import { text } from "./job";
-import { run } from "./program";
+import { Cancelled, run } from "./program";
 
 interface Report {
   frame: HTMLIFrameElement;
@@ -25,12 +25,13 @@ export class Frames {
   /**
    * Shows the report of a result.
    * @return its page
-   * @throws Error with the program's message
+   * @throws Error with the program's message, Cancelled after signal.abort()
    */
-  async show(into: HTMLElement, name: string, result: Uint8Array, keys: (keyof Notes)[]): Promise<Uint8Array> {
-    const { code, stderr, files } = await run(["report", name, "-o", "report.html"], { [name]: result });
+  async show(into: HTMLElement, name: string, result: Uint8Array, keys: (keyof Notes)[], signal: AbortSignal): Promise<Uint8Array> {
+    const { code, err, files } = await run(["report", name, "-o", "report.html"], { [name]: result }, { signal });
+    if (signal.aborted) throw new Cancelled();
     const page = files["report.html"];
-    if (code !== 0 || !page) throw new Error(stderr);
+    if (code !== 0 || !page) throw new Error(err);
     const frame = h("iframe", { srcdoc: text(page), sandbox: "allow-scripts allow-downloads allow-modals", title: `Report of ${name}` });
     this.reports = this.reports.filter((report) => report.frame.isConnected);
     this.reports.push({ frame, keys });

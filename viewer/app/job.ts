@@ -3,7 +3,9 @@
 //
 // A job: its files, what was set, and what came out, in one file that can be saved and mailed.
 
+import { turnedCsv } from "../src/as_made";
 import { isNotes, type Notes } from "../src/notes";
+import type { Plan } from "../src/result";
 import { withoutExcel } from "./xlsx";
 
 export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "later" | "turned" | "target" | "none";
@@ -38,7 +40,10 @@ export interface Job {
 }
 
 const format = "taut-job";
+export const netFile = "net.json";
+export const resultFile = "result.json";
 export const planFile = "plan.json";
+export const turnsFile = "turns.csv";
 /** The largest file that the program reads. */
 const largest = 256 * 2 ** 20;
 
@@ -115,18 +120,70 @@ export const isForeign = (name: string, bytes: Uint8Array): boolean => formatOf(
 /** The first file of a role. */
 export const namedIn = ({ inputs }: Job, role: Role): string | undefined => [...inputs].find(([, input]) => input.role === role)?.[0];
 
-/** What a file may be for: of surveys the first is the net as built, and any other a later one. */
+/** The plan that was made; without turns where there is none. */
+export const madePlan = ({ outputs }: Job): Pick<Plan, "turns" | "warnings"> =>
+  (outputs[planFile] ? (JSON.parse(text(outputs[planFile])) as Plan) : { turns: [] });
+
+/** What a file may be for; throws for results, which the page makes itself. Of surveys the first is the net as built, and any other a later one. */
 export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (name.toLowerCase().endsWith(".ply")) return "target";
   if (/\.obj$/i.test(name)) return ![undefined, name].includes(namedIn(job, "net")) ? "target" : "net";
-  if (formatOf(name, bytes) !== null) return "net";
+  const known = formatOf(name, bytes);
+  if (known?.startsWith("taut-") && known !== "taut-net") throw new Error(`${name} is a ${known} file, expected a net, a survey or a job: results are made here`);
+  if (known !== null) return "net";
   const head = text(bytes.subarray(0, 2000));
   if (/\bstroke(_mm)?\b/.test(head)) return "turned";
   if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
   if (/^\s*strain\W+stress\b/m.test(head)) return "law";
   if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
   if (/^(?!.*\bx\b).*\b(q|q0|qopt|l0|EA)\b/m.test(head.split("\n", 1)[0]!)) return "edges";
-  return namedIn(job, "survey") !== undefined && (job.outputs[planFile] || namedIn(job, "later") !== undefined) ? "later" : "survey";
+  const isLater = job.outputs[planFile] || namedIn(job, "later") !== undefined || namedIn(job, "turned") !== undefined;
+  return namedIn(job, "survey") !== undefined && isLater ? "later" : "survey";
+}
+
+/** A name that no other file has: two surveys are often called the same. */
+function freeName(job: Job, name: string): string {
+  const [, stem, ending] = /^(.*?)(\.[^.]*)?$/.exec(name) as unknown as [string, string, string?];
+  let free = name;
+  for (let i = 2; job.inputs.has(free) || isMade(free); ++i) free = `${stem}-${i}${ending ?? ""}`;
+  return free;
+}
+
+/** Whether the program writes a file of that name. */
+const isMade = (name: string): boolean => [netFile, resultFile, planFile, turnsFile, "report.html", "result_draws.h5"].includes(name);
+
+/** Turns that are ticked off become a file; nothing where there are none. @param before what it comes before, or the end */
+export function fileMade(job: Job, role: Role, before?: string): void {
+  const turned = turnedCsv(madePlan(job), job.notes.strokes);
+  delete job.notes.strokes;
+  if (turned === null) return;
+  const after = [...job.inputs];
+  const place = before === undefined ? after.length : after.findIndex(([name]) => name === before);
+  after.splice(place, 0, [freeName(job, "turned.csv"), { role, bytes: new TextEncoder().encode(turned) }]);
+  job.inputs = new Map(after);
+}
+
+/** Roles of which a job has many files; of the others it has one, the last. */
+const many: Role[] = ["later", "turned", "none"];
+
+/** Gives a file its role. What is ticked off counts as turned before a later survey, unless a file says what was. */
+export function setRole(job: Job, name: string, role: Role): void {
+  if (!many.includes(role)) for (const input of job.inputs.values()) if (input.role === role) input.role = "none";
+  job.inputs.get(name)!.role = role;
+  if (role !== "later") return;
+  const before = [...job.inputs].slice(0, [...job.inputs.keys()].indexOf(name)).map(([, input]) => input.role);
+  if (before.lastIndexOf("turned") <= before.lastIndexOf("later")) fileMade(job, "turned", name);
+}
+
+/** A file that comes again takes the place of the old one, unless it is another survey. */
+export function addFile(job: Job, name: string, bytes: Uint8Array): void {
+  const safe = name.replace(/[:/\\]/g, "_").replace(/^-/, "_");
+  const role = guessedRole(safe, bytes, job);
+  const isTaken = isMade(safe) && !(safe === netFile && !isForeign(safe, bytes));
+  const own = role === "later" || role === "turned" || isTaken ? freeName(job, safe) : safe;
+  job.inputs.delete(own);
+  job.inputs.set(own, { role: "none", bytes });
+  setRole(job, own, role);
 }
 
 /** Options that give files of other roles to a command. */
@@ -143,6 +200,7 @@ export function epochWords({ inputs }: Job): string[] {
     words.push("--epoch", turned ? `${name}:${turned}` : name);
     turned = "";
   }
+  if (turned) throw new Error(`${turned} is what was turned before a later survey, which is missing: drop it, or set ${turned} to "${roles.none.label}"`);
   return words;
 }
 

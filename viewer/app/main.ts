@@ -3,35 +3,37 @@
 //
 // The way of a site visit: files, what taut read, lengths, turns.
 
-import { turnedCsv } from "../src/as_made";
 import { byId, h, section } from "../src/dom";
 import { counted } from "../src/format";
 import type { Notes } from "../src/notes";
-import type { Plan } from "../src/result";
 import { Frames } from "./frames";
-import { contentOf, epochWords, guessedRole, isForeign, type Job, jobText, namedIn, newJob, planFile, readJob, type Role, roles, roleWords, text } from "./job";
+import {
+  addFile, contentOf, epochWords, fileMade, guessedRole, isForeign, type Job, jobText, madePlan, namedIn, netFile, newJob, planFile, readJob, resultFile, type Role, roles, roleWords,
+  setRole, turnsFile,
+} from "./job";
 import { Cancelled, module, run } from "./program";
 import { fields as settingFields, forceSettings, identifySettings, importSettings, planSettings, type Setting, shown, wordsOf } from "./settings";
 import { keep, keptJob } from "./store";
 import { Work } from "./work";
 
-const netFile = "net.json";
-const resultFile = "result.json";
-const turnsFile = "turns.csv";
 /** More free nodes than this take minutes and over a gigabyte in a browser. */
 const manyNodes = 2000;
 
 let job: Job = newJob();
 const named = (role: Role): string | undefined => namedIn(job, role);
 
+async function keepNow(): Promise<void> {
+  clearTimeout(keeping);
+  byId("kept").textContent = (await keep(job)) ? "This browser keeps the job, also when the page is closed." : "This browser keeps nothing of this page: save the job before you close it.";
+}
+
 let keeping = 0;
 /** Keeps the job in the browser a moment after a change. */
 function changed(): void {
   clearTimeout(keeping);
-  keeping = window.setTimeout(() => void (async () => {
-    byId("kept").textContent = (await keep(job)) ? "This browser keeps the job, also when the page is closed." : "This browser keeps nothing of this page: save the job before you close it.";
-  })(), 300);
+  keeping = window.setTimeout(() => void keepNow(), 300);
 }
+addEventListener("pagehide", () => void keepNow());
 
 function save(name: string, content: Uint8Array | string): void {
   const link = h("a", { href: URL.createObjectURL(new Blob([content as BlobPart])), download: name });
@@ -59,9 +61,9 @@ const frames = new Frames(() => job.notes, (change: Notes) => {
 });
 
 /** The report of a result, and what can be saved of it. */
-async function showReport(into: HTMLElement, result: string): Promise<void> {
+async function showReport(into: HTMLElement, result: string, signal: AbortSignal): Promise<void> {
   const isPlan = result === planFile;
-  const report = await frames.show(into, result, job.outputs[result]!, isPlan ? ["project", "engineer", "strokes"] : ["project", "engineer"]);
+  const report = await frames.show(into, result, job.outputs[result]!, isPlan ? ["project", "engineer", "strokes"] : ["project", "engineer"], signal);
   into.append(h("div", { class: "buttons no-print" },
     h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), report) }, "Save report"),
     h("button", { type: "button", onclick: () => save(result, job.outputs[result]!) }, "Save result"),
@@ -72,35 +74,41 @@ async function showReport(into: HTMLElement, result: string): Promise<void> {
 /** Runs a command whose outputs the job keeps. Exit code 1 comes with a result, unless there is none. */
 async function command(work: Work, words: string[]): Promise<string> {
   work.showCommand(shown(words));
-  const { code, stdout, stderr, files } = await run(words, filesOf(), work);
+  const { code, out, err, files } = await run(words, filesOf(), work);
   Object.assign(job.outputs, files);
   changed();
-  work.showOutput(stdout, stderr);
-  if (code !== 0 && Object.keys(files).length === 0) throw new Error(stderr.trim() || `the program ended with ${code}`);
-  return stdout;
+  work.showOutput(out, err);
+  if (code !== 0 && Object.keys(files).length === 0) throw new Error(err.trim() || `the program ended with ${code}`);
+  return out;
+}
+
+/** Another program's net, with what is set for it now. */
+async function importNet(work: Work): Promise<void> {
+  const name = named("net");
+  if (name === undefined || netName() === name) return;
+  await command(work, ["import", name, ...roleWords(job, "import"), "-o", netFile, ...wordsOf(importSettings, job.settings)]);
 }
 
 async function read(work: Work): Promise<string> {
-  const name = named("net");
-  if (name !== undefined && netName() !== name) {
-    await command(work, ["import", name, ...roleWords(job, "import"), "-o", netFile, ...wordsOf(importSettings, job.settings)]);
-  }
+  await importNet(work);
   const survey = named("survey");
   const taken = ["--noise", "--unit", "--frame", "--offset"];
   const control = named("control");
   const words = survey === undefined ? [] : ["--survey", survey, ...(control ? ["--control", control] : []), ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
-  const stdout = await command(work, ["inspect", netName(), ...words]);
-  const nodes = Number(/^net .*: (\d+) free node/m.exec(stdout)?.[1] ?? 0);
+  const out = await command(work, ["inspect", netName(), ...words]);
+  const nodes = Number(/^net .*: (\d+) free node/m.exec(out)?.[1] ?? 0);
   byId("size").textContent = nodes > manyNodes
     ? `This net has ${nodes} free nodes. In a browser it may take minutes and more memory than there is. taut for Linux does the same with the same files, and faster.` : "";
   return survey === undefined ? "The survey is still missing." : "";
 }
 
-/** Forgets results from lengths or turns on, and what was written on the plan. */
+/** Forgets results from lengths or turns on. Turns that were ticked off stay, as a file that is not used. */
 function forget(from: "lengths" | "turns"): void {
+  const count = job.inputs.size;
+  fileMade(job, "none");
+  if (job.inputs.size > count) showFiles();
   for (const name of from === "lengths" ? [resultFile, planFile, turnsFile] : [planFile, turnsFile]) delete job.outputs[name];
   for (const id of from === "lengths" ? ["lengths", "turns"] : ["turns"]) byId(id).replaceChildren();
-  delete job.notes.strokes;
   showMade();
 }
 
@@ -109,18 +117,20 @@ async function identify(work: Work): Promise<string> {
   if (survey === undefined) throw new Error("There is no survey yet: drop its file.");
   forget("lengths");
   planning.clear();
-  const stdout = await command(work, ["identify", netName(), survey, ...epochWords(job), ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
-  await showReport(byId("lengths"), resultFile);
-  return /^Checks: \w+\./m.exec(stdout)?.[0] ?? "";
+  const epochs = epochWords(job);
+  await importNet(work);
+  const out = await command(work, ["identify", netName(), survey, ...epochs, ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
+  await showReport(byId("lengths"), resultFile, work.signal);
+  return /^Checks: \w+\./m.exec(out)?.[0] ?? "";
 }
 
 async function plan(work: Work): Promise<string> {
   if (!job.outputs[resultFile]) throw new Error("Identify first: a plan starts from the lengths.");
   forget("turns");
   await command(work, ["plan", netName(), resultFile, ...roleWords(job, "plan"), ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
-  await showReport(byId("turns"), planFile);
+  await showReport(byId("turns"), planFile, work.signal);
   showMade();
-  const { turns, warnings } = madePlan();
+  const { turns, warnings } = madePlan(job);
   return warnings?.[0] ?? `${counted(turns.length, "turn")}.`;
 }
 
@@ -128,15 +138,12 @@ const reading = new Work("Read again", read);
 const identifying = new Work("Identify", identify);
 const planning = new Work("Plan", plan);
 
-/** Roles of which a job has many files; of the others it has one, the last. */
-const many: Role[] = ["later", "turned", "none"];
-
 function showFiles(): void {
   const list = [...job.inputs].map(([name, input]) => h("li", {},
     h("code", {}, name),
     h("select", {
       "aria-label": `What ${name} is`,
-      onchange: ({ target }: Event) => { setRole(name, (target as HTMLSelectElement).value as Role); filesChanged(); },
+      onchange: ({ target }: Event) => { setRole(job, name, (target as HTMLSelectElement).value as Role); filesChanged(); },
     }, ...Object.entries(roles).map(([role, { label }]) => h("option", { value: role, selected: role === input.role }, label))),
     h("button", { type: "button", onclick: () => { job.inputs.delete(name); filesChanged(); } }, "Remove")));
   byId("files").replaceChildren(...list);
@@ -145,52 +152,27 @@ function showFiles(): void {
   byId("import").hidden = net === undefined || !isForeign(net, job.inputs.get(net)!.bytes);
 }
 
-const madePlan = (): Pick<Plan, "turns" | "warnings"> => (job.outputs[planFile] ? (JSON.parse(text(job.outputs[planFile])) as Plan) : { turns: [] });
-
 /** What comes after the turns: how many are ticked off, and the next survey. */
 function showMade(): void {
-  const { turns } = madePlan();
+  const { turns } = madePlan(job);
   const made = (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
   byId("made").textContent = turns.length === 0 ? "Make a plan first. Its list of turns is ticked off in the report above."
     : `${made} of ${turns.length} turns are ticked off in the list above. Turn, survey again, and drop the next survey here: what is ticked off counts as turned before it.`;
 }
 
+/** Ends what belongs to other files. */
+let ofFiles = new AbortController();
+
 /** Results of other files are gone. */
 function filesChanged(): void {
-  job.outputs = {};
+  ofFiles.abort();
+  ofFiles = new AbortController();
   forget("lengths");
+  job.outputs = {};
   for (const work of [reading, identifying, planning]) work.clear();
   showFiles();
   changed();
   if (named("net") !== undefined) void reading.start();
-}
-
-function setRole(name: string, role: Role): void {
-  if (!many.includes(role)) for (const input of job.inputs.values()) if (input.role === role) input.role = "none";
-  job.inputs.get(name)!.role = role;
-}
-
-/** A name that no other file has: two surveys are often called the same. */
-function freeName(name: string): string {
-  const [, stem, ending] = /^(.*?)(\.[^.]*)?$/.exec(name) as unknown as [string, string, string?];
-  let free = name;
-  for (let i = 2; job.inputs.has(free); ++i) free = `${stem}-${i}${ending ?? ""}`;
-  return free;
-}
-
-function add(name: string, bytes: Uint8Array): void {
-  const role = guessedRole(name, bytes, job);
-  if (role === "later") {
-    const turned = turnedCsv(madePlan(), job.notes.strokes);
-    if (turned !== null) {
-      job.inputs.set(freeName("turned.csv"), { role: "turned", bytes: new TextEncoder().encode(turned) });
-    }
-  }
-  // A file that comes again takes the place of the old one, unless it is another survey.
-  const own = role === "later" ? freeName(name) : name;
-  job.inputs.delete(own);
-  job.inputs.set(own, { role: "none", bytes });
-  setRole(own, role);
 }
 
 /** Does something with files, and shows why it failed. */
@@ -200,32 +182,38 @@ async function attempt(work: () => Promise<void>): Promise<void> {
   try {
     await work();
   } catch (error) {
+    if (error instanceof Cancelled) return;
     problem.textContent = error instanceof Error ? error.message : String(error);
   }
 }
 
 async function take(files: Iterable<File>): Promise<void> {
+  const read: [string, Uint8Array][] = [];
   for (const file of files) {
     const bytes = await contentOf(file);
     const opened = readJob(file.name, bytes);
     if (opened) return open(opened);
-    add(file.name, bytes);
+    read.push([file.name, bytes]);
   }
+  // What was turned comes before the survey after it.
+  const isTurned = ([name, bytes]: [string, Uint8Array]): boolean => guessedRole(name, bytes, job) === "turned";
+  for (const [name, bytes] of [...read.filter(isTurned), ...read.filter((one) => !isTurned(one))]) addFile(job, name, bytes);
   filesChanged();
 }
 
 async function open(opened: Job): Promise<void> {
-  job = opened;
-  const { outputs, notes } = job;
+  // What begins anew on its files forgets results, and what was written on them.
+  job = { ...opened, outputs: {}, notes: {} };
   showSettings();
   filesChanged();
-  job.outputs = outputs;
-  job.notes = notes;
+  const { outputs } = opened;
+  Object.assign(job, { outputs, notes: opened.notes });
+  const { signal } = ofFiles;
   try {
-    if (outputs[resultFile]) await showReport(byId("lengths"), resultFile);
-    if (outputs[planFile]) await showReport(byId("turns"), planFile);
+    if (outputs[resultFile]) await showReport(byId("lengths"), resultFile, signal);
+    if (outputs[planFile]) await showReport(byId("turns"), planFile, signal);
   } catch (error) {
-    job.outputs = {};  // they are not what the program writes
+    if (!signal.aborted) job.outputs = {};  // they are not what the program writes
     throw error;
   }
   showMade();
@@ -238,7 +226,7 @@ async function example(): Promise<void> {
   const { files: survey } = await run(["survey", netFile, "built.csv", "--noise", "0.5mm", "--seed", "2", "-o", "survey.csv"], { ...net, ...built });
   job = newJob();
   Object.assign(job.settings, { "--noise": "0.5mm", "--prior": "uniform:5mm", "--draws": "200", "--tension": "0.05kN..20kN", "--turn": "5mm", "--step": "1/4", "--thread": "right" });
-  for (const [name, bytes] of Object.entries({ ...net, ...survey })) add(name, bytes);
+  for (const [name, bytes] of Object.entries({ ...net, ...survey })) addFile(job, name, bytes);
   showSettings();
   filesChanged();
 }

@@ -11,8 +11,9 @@ export interface Task {
 export interface Run {
   /** Its exit code, as on the command line. */
   code: number;
-  stdout: string;
-  stderr: string;
+  /** Standard output, and standard error without lines of progress. */
+  out: string;
+  err: string;
   /** What it wrote. */
   files: Record<string, Uint8Array>;
 }

@@ -11,6 +11,9 @@ import type { Message, Run, Task } from "./messages";
 export class Cancelled extends Error {}
 
 function decoded(base64: string): Uint8Array<ArrayBuffer> {
+  // Newer browsers do it ten times as fast.
+  const { fromBase64 } = Uint8Array as { fromBase64?: (text: string) => Uint8Array<ArrayBuffer> };
+  if (fromBase64) return fromBase64.call(Uint8Array, base64);
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
@@ -19,7 +22,8 @@ function decoded(base64: string): Uint8Array<ArrayBuffer> {
 
 async function compiled(): Promise<WebAssembly.Module> {
   const zipped = new Blob([decoded(byId("program").textContent ?? "")]);
-  return WebAssembly.compile(await new Response(zipped.stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer());
+  const program = new Response(zipped.stream().pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": "application/wasm" } });
+  return WebAssembly.compileStreaming(program);
 }
 
 /** The program, compiled once. */

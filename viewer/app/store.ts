@@ -38,7 +38,9 @@ export async function keptJob(): Promise<Job | undefined> {
 /** Whether the job is kept. */
 export async function keep(job: Job): Promise<boolean> {
   try {
-    await done((await jobs("readwrite")).put(job, key));
+    const { transaction } = (await jobs("readwrite")).put(job, key);
+    // Only then it is on the disk.
+    await new Promise((resolve, reject) => Object.assign(transaction!, { oncomplete: resolve, onabort: reject, onerror: reject }));
     return true;
   } catch {
     return false;

@@ -64,8 +64,8 @@ export class Work implements RunOptions {
   }
 
   /** Warnings and notes come first: what taut assumed is among them. */
-  showOutput(stdout: string, stderr: string): void {
-    this.output.textContent += [stderr, stdout].filter(Boolean).join("\n");
+  showOutput(out: string, err: string): void {
+    this.output.textContent += [err, out].filter(Boolean).join("\n");
   }
 
   private show(state: string, line: string): void {

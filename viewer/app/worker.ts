@@ -31,18 +31,18 @@ function written(folder: Map<string, Inode>, given: Set<Inode>, prefix = ""): [s
 }
 
 async function run({ module, args, files }: Task): Promise<void> {
-  let stdout = "";
-  let stderr = "";
+  let out = "";
+  let err = "";
   let shown = "";
   const inputs = new Map(Object.entries(files).map(([name, bytes]) => [name, new File(bytes)]));
   const root = new PreopenDirectory("/", new Map(inputs));
   const wasi = new WASI(["taut", ...args], ["TAUT_PROGRESS=1"], [
     new OpenFile(new File([])),
-    collector((text) => { stdout += text; }),
+    collector((text) => { out += text; }),
     collector((text) => {
-      stderr += text;
-      const line = stderr.slice(stderr.lastIndexOf(restart) + restart.length);
-      if (stderr.includes(restart) && line && line !== shown && !line.includes("\n")) post({ kind: "progress", line: (shown = line) });
+      err += text;
+      const line = err.slice(err.lastIndexOf(restart) + restart.length);
+      if (err.includes(restart) && line && line !== shown && !line.includes("\n")) post({ kind: "progress", line: (shown = line) });
     }),
     root,
   ], { debug: false });
@@ -53,10 +53,10 @@ async function run({ module, args, files }: Task): Promise<void> {
   } catch (error) {
     if (error instanceof WASIProcExit) code = error.code;
     // Where memory or the stack ends, the program does.
-    else stderr += `taut: error: the program ended: ${error instanceof Error ? error.message : String(error)}\n`;
+    else if (!err.includes("taut: error: ")) err += `taut: error: the program ended: ${error instanceof Error ? error.message : String(error)}\n`;
   }
   const outputs = written(root.dir.contents, new Set(inputs.values()));
-  post({ kind: "done", run: { code, stdout, stderr: withoutProgress(stderr), files: Object.fromEntries(outputs) } },
+  post({ kind: "done", run: { code, out, err: withoutProgress(err), files: Object.fromEntries(outputs) } },
     [...new Set(outputs.map(([, bytes]) => bytes.buffer as ArrayBuffer))]);
 }
 

@@ -53,7 +53,7 @@ class Workbook {
     try {
       this.files = unzipSync(bytes, {
         filter: ({ name: part, originalSize }) => {
-          const isRead = /\.(xml|rels)$/.test(part);
+          const isRead = /\.rels$|workbook|sharedStrings|styles|worksheets\//i.test(part);
           size += isRead ? originalSize : 0;
           if (size > largest) throw new RangeError();
           return isRead;
@@ -109,10 +109,17 @@ class Workbook {
   private relations(of: string): { ids: Map<string, string>; kinds: Map<string, string> } {
     const cut = of.lastIndexOf("/") + 1;
     const folder = of.slice(0, cut);
+    const pathOf = (target: string): string => {
+      try {
+        return new URL(target, `file:///${folder}`).pathname.slice(1);
+      } catch {
+        return this.fail(`its part '${target}' has no name of a part`);
+      }
+    };
     const found = children(this.xml(`${folder}_rels/${of.slice(cut)}.rels`), "Relationship").map((one) => ({
       id: one.getAttribute("Id") ?? "",
       kind: (one.getAttribute("Type") ?? "").split("/").pop() ?? "",
-      path: decodeURI(new URL(one.getAttribute("Target") ?? "", `file:///${folder}`).pathname).slice(1),
+      path: pathOf(one.getAttribute("Target") ?? ""),
     }));
     return { ids: new Map(found.map(({ id, path }) => [id, path])), kinds: new Map(found.map(({ kind, path }) => [kind, path])) };
   }

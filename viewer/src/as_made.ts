@@ -25,10 +25,10 @@ export function turnsText(turns: number, { pitch, step }: Plan["options"]): stri
 /** The number in "1 ¾", "1 3/4", "1.75", "1,75" or "-0.5"; NaN of anything else. */
 export function numberOf(text: string): number {
   const plain = Object.entries(vulgar).reduce((all, [fraction, sign]) => all.replace(sign, ` ${fraction}`), text).replace(/[−–]/, "-").replace(",", ".");
-  const parts = /^\s*(-?)\s*(\d+(?:\.\d+)?|\.\d+)?(?:\s*(?<!\d)(\d{1,2})\/(\d{1,2}))?\s*$/.exec(plain);
+  const parts = /^\s*([-+]?)\s*(\d+(?:\.\d+)?|\.\d+)?(?:\s*(?<!\d)(\d{1,2})\/(\d{1,2}))?\s*$/.exec(plain);
   if (!parts || (parts[2] === undefined && parts[3] === undefined)) return NaN;
   const value = Number(parts[2] ?? 0) + (parts[3] === undefined ? 0 : Number(parts[3]) / Number(parts[4]));
-  return parts[1] ? -value : value;
+  return parts[1] === "-" ? -value : value;
 }
 
 /** Metres of one unit in which a crew counts: a turn, where the plan has a pitch, or a millimetre. */
@@ -50,22 +50,25 @@ export function madeCell(plan: Plan, index: number, notebook: Notebook): HTMLEle
     strokes[index] = stroke;
     notebook.change({ strokes });
   };
-  done.addEventListener("change", () => set(done.checked ? turn.stroke : null));
+  const isRefused = (): boolean => value.getAttribute("aria-invalid") === "true";
+  done.addEventListener("change", () => set(done.checked && !isRefused() ? turn.stroke : null));
   value.addEventListener("change", () => {
-    if (value.value.trim() === "") return set(done.checked ? turn.stroke : null);
-    const entered = numberOf(value.value);
-    // A slip of the pen is no turn.
-    const wrong = !Number.isFinite(entered) || Math.abs(entered) > Math.max(10 * planned, 100);
-    value.setAttribute("aria-invalid", String(wrong));
-    if (!wrong) set(entered * unit * sameWay(turn));
+    if (value.value.trim() === "") {
+      value.setAttribute("aria-invalid", "false");
+      return set(done.checked ? turn.stroke : null);
+    }
+    const stroke = numberOf(value.value) * unit * sameWay(turn);
+    // A slip of the pen is no turn, nor is the planned one made then.
+    const isWrong = !(Math.abs(stroke) <= Math.max(10 * Math.abs(turn.stroke), 0.05));
+    value.setAttribute("aria-invalid", String(isWrong));
+    set(isWrong ? null : stroke);
   });
   notebook.subscribe(() => {
     const stroke = notebook.notes.strokes?.[index] ?? null;
     done.checked = stroke !== null;
     const asPlanned = stroke === null || Math.abs(stroke - turn.stroke) < 1e-9;
-    if (document.activeElement === value) return;
+    if (document.activeElement === value || isRefused()) return;
     value.value = asPlanned ? "" : words(0) === "0" && stroke === 0 ? "0" : `${stroke! * sameWay(turn) < 0 ? "−" : ""}${words(Math.abs(stroke!) / unit)}`;
-    value.setAttribute("aria-invalid", "false");
   });
   return [done, value];
 }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-/** A cell; text that a spreadsheet would run as a formula gets a leading apostrophe. */
+/** A cell, as src/files/csv_field.hpp writes it: text that a spreadsheet would run as a formula gets a leading apostrophe. */
 function cell(value: number | string): string {
   if (typeof value === "number") return Number.isFinite(value) ? String(value) : "";
-  const safe = /^[=+\-@\t\r]/.test(value) && !Number.isFinite(Number(value)) ? `'${value}` : value;
-  return /[",\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
+  const safe = /^'*[=+\-@\t\r]/.test(value) && !Number.isFinite(Number(value)) ? `'${value}` : value;
+  return /[",;\s]|^#|^$/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }
 
 /** Comma separated values (RFC 4180). */

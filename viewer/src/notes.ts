@@ -12,13 +12,15 @@ export interface Notes {
   strokes?: (number | null)[];
 }
 
+const mostStrokes = 100_000;
+
 /** Whether this is what a notebook may hold. */
 export function isNotes(value: unknown): value is Notes {
   if (typeof value !== "object" || value === null) return false;
   const { project, engineer, strokes } = value as Record<string, unknown>;
   const isText = (text: unknown): boolean => text === undefined || (typeof text === "string" && text.length <= 200);
   return isText(project) && isText(engineer) &&
-    (strokes === undefined || (Array.isArray(strokes) && strokes.every((stroke) => stroke === null || Number.isFinite(stroke))));
+    (strokes === undefined || (Array.isArray(strokes) && strokes.length <= mostStrokes && strokes.every((stroke) => stroke === null || Number.isFinite(stroke))));
 }
 
 /** Names a result in the browser's memory: results that differ have other notes. */
@@ -31,6 +33,8 @@ export function keyOf(result: Result): string {
 /** Notes of one result: kept by the browser under `key`, and by the page that shows the report in a frame. */
 export class Notebook {
   notes: Notes = {};
+  /** Whether the page around this one has asked for notes: any page may show a report. */
+  private isHeard = false;
   private readonly listeners: (() => void)[] = [];
 
   constructor(private readonly key: string) {
@@ -41,7 +45,9 @@ export class Notebook {
     }
     if (parent === window) return;
     addEventListener("message", ({ source, data }: MessageEvent<{ taut?: unknown; notes?: unknown } | null>) => {
-      if (source === parent && data?.taut === "notes") this.take(data.notes);
+      if (source !== parent || data?.taut !== "notes") return;
+      this.isHeard = true;
+      this.take(data.notes);
     });
     parent.postMessage({ taut: "ready" }, "*");
   }
@@ -54,7 +60,7 @@ export class Notebook {
 
   change(change: Notes): void {
     this.notes = { ...this.notes, ...change };
-    if (parent !== window) parent.postMessage({ taut: "notes", notes: this.notes }, "*");
+    if (this.isHeard) parent.postMessage({ taut: "notes", notes: this.notes }, "*");
     try {
       localStorage.setItem(this.key, JSON.stringify(this.notes));
     } catch {

@@ -60,10 +60,10 @@ async function open(options = {}, opener = browser) {
 /** window.taut.run() on files of text, and on those that it wrote before in this page; gives its texts. */
 const run = (page, args, files = {}) => page.evaluate(async ([args, files]) => {
   window.kept = { ...window.kept, ...files };
-  const { code, stdout, stderr, files: written } = await window.taut.run(args, window.kept);
+  const { code, out, err, files: written } = await window.taut.run(args, window.kept);
   Object.assign(window.kept, written);
   const texts = Object.entries(written).map(([name, bytes]) => [name, name.endsWith(".h5") ? "" : new TextDecoder().decode(bytes)]);
-  return { code, stdout, stderr, files: Object.fromEntries(texts) };
+  return { code, out, err, files: Object.fromEntries(texts) };
 }, [args, Object.fromEntries(Object.entries(files).map(([name, bytes]) => [name, bytes.toString()]))]);
 
 /** The largest difference of two lists of numbers. */
@@ -74,10 +74,10 @@ const largestDifference = (a, b) => {
 
 test("the command line in the page gives the program's lengths, samples and turns", async () => {
   const page = await open();
-  assert.equal((await run(page, ["--version"])).stdout, native("--version"));
+  assert.equal((await run(page, ["--version"])).out, native("--version"));
   const inputs = { "net.json": file("net.json"), "survey.csv": file("survey.csv") };
   const identified = await run(page, ["identify", "net.json", "survey.csv", ...identifyOptions, "-o", "result.json"], inputs);
-  assert.equal(identified.code, 0, identified.stderr);
+  assert.equal(identified.code, 0, identified.err);
   assert.deepEqual(Object.keys(identified.files).sort(), ["result.json", "result_draws.h5"]);
   const result = JSON.parse(identified.files["result.json"]);
   const expected = JSON.parse(file("result.json"));
@@ -87,7 +87,7 @@ test("the command line in the page gives the program's lengths, samples and turn
   }
   assert.equal(result.trust.verdict, expected.trust.verdict);
   const planned = await run(page, ["plan", "net.json", "result.json", ...planOptions, "-o", "plan.json", "--csv", "turns.csv"]);
-  assert.ok([0, 1].includes(planned.code), planned.stderr);
+  assert.ok([0, 1].includes(planned.code), planned.err);
   const strokes = (plan) => plan.turns.map(({ stroke }) => stroke);
   assert.ok(largestDifference(strokes(JSON.parse(planned.files["plan.json"])), strokes(JSON.parse(file("plan.json")))) <= 1e-9);
   assert.equal(planned.files["turns.csv"], file("turns.csv").toString());
@@ -112,8 +112,8 @@ test("errors are those of the program, in one line, and the page lives on", asyn
   for (const words of [["identify", "net.json", "broken.csv"], ["identify", "net.json", "missing.csv"], ["nothing"], ["inspect", "broken.csv"]]) {
     const { status, stderr } = spawnSync(program, words, { cwd: folder, encoding: "utf8" });
     const there = await run(page, words, { "net.json": file("net.json"), "broken.csv": file("broken.csv") });
-    assert.equal(there.code, status, there.stderr);
-    assert.equal(there.stderr, stderr);
+    assert.equal(there.code, status, there.err);
+    assert.equal(there.err, stderr);
   }
   assert.equal((await run(page, ["--version"])).code, 0);
   assert.deepEqual(page.complaints, []);

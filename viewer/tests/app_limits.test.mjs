@@ -27,17 +27,17 @@ before(async () => {
   await page.waitForSelector("body[data-ready]", { state: "attached" });
   await page.evaluate(async () => {
     window.net = async (name) => (await window.taut.run(["example", name, "-o", "net.json"])).files;
-    window.said = ({ code, stdout, stderr, files }) => ({ code, stdout, stderr, written: Object.keys(files) });
+    window.said = ({ code, out, err, files }) => ({ code, out, err, written: Object.keys(files) });
   });
 });
 after(() => browser?.close());
 
 /** One line on standard error that begins as every error does, and nothing written. */
-function expectError({ code, stdout, stderr, written }, expected, text) {
-  assert.equal(code, expected, stderr);
-  assert.match(stderr, /^taut: error: [^\n]*\n$/);
-  assert.match(stderr, text);
-  assert.equal(stdout, "");
+function expectError({ code, out, err, written }, expected, text) {
+  assert.equal(code, expected, err);
+  assert.match(err, /^taut: error: [^\n]*\n$/);
+  assert.match(err, text);
+  assert.equal(out, "");
   assert.deepEqual(written, []);
 }
 
@@ -55,7 +55,7 @@ test("where memory ends, so does the run, with one line, and the next one works"
     return [ended, window.said(await window.taut.run(words, net))];
   });
   expectError(ended, 1, /not enough memory \(--memory is 40MiB\)/);
-  assert.equal(next.code, 0, next.stderr);
+  assert.equal(next.code, 0, next.err);
   assert.deepEqual(next.written, ["form.csv"]);
 });
 

@@ -76,7 +76,7 @@ test("an Excel file that cannot be read gives one line", async () => {
     [excel({ one: rows('<row r="7"><c r="A7" t="s"><v>9</v></c></row>') }), "a.xlsx:7: cell A7 names the shared text '9', of which there are 1"],
     [excel({ one: `${rows(point)}<mergeCells><mergeCell ref="A1:A2"/></mergeCells>` }), "a.xlsx:1: begins the merged cells A1:A2"],
     [excel({ one: rows(point) }, { "xl/workbook.xml": '<!DOCTYPE w [<!ENTITY a "a">]><workbook/>' }), "a.xlsx: its part xl/workbook.xml is no XML of Excel"],
-    [excel({ one: rows(point) }, { "xl/media.xml": " ".repeat(33 * 2 ** 20) }), "a.xlsx: is larger than 32 MiB when unpacked"],
+    [excel({ one: rows(point) }, { "xl/worksheets/other.xml": " ".repeat(33 * 2 ** 20) }), "a.xlsx: is larger than 32 MiB when unpacked"],
     [Uint8Array.of(0xd0, 0xcf, 0x11, 0xe0), "a.xlsx is an old Office file"],
   ];
   for (const [bytes, message] of cases) assert.ok((await read(bytes)).startsWith(message), `${await read(bytes)}\n${message}`);
