@@ -173,6 +173,13 @@ test("what was ticked off, and the next survey, are an epoch; a page opened agai
   await report.locator("body[data-ready]").waitFor();
   await report.locator(".tick").first().check();
   await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
+  await page.waitForFunction(() => document.querySelector("#kept").textContent.startsWith("This browser keeps the job"));
+  await page.waitForTimeout(500);
+  await page.reload();
+  await page.waitForSelector("body[data-ready]", { state: "attached" });
+  await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
+  await report.locator("body[data-ready]").waitFor();
+  assert.equal(await report.locator(".tick").first().isChecked(), true);
   const [edge] = (await report.locator(".crew tbody tr:not(.pass) th").first().textContent()).split(" ");
   // Built again with that turn, and surveyed into a file of the same name.
   const stroke = await report.locator(".crew tbody tr:not(.pass)").first().evaluate((row) => {

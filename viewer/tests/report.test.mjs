@@ -593,7 +593,12 @@ test("what is turned is ticked off or entered, kept when the page is opened agai
   await own(2).locator(".as-made").fill("−1 ¼");
   await own(3).locator(".as-made").fill("two");
   await page.locator("h1").click();
+  // What is refused stays to be seen, and is no turn, whatever else is ticked.
+  await own(4).locator(".tick").check();
+  await own(4).locator(".tick").uncheck();
   assert.equal(await own(3).locator(".as-made").getAttribute("aria-invalid"), "true");
+  assert.equal(await own(3).locator(".as-made").inputValue(), "two");
+  assert.equal(await own(3).locator(".tick").isChecked(), false);
   assert.equal(await page.textContent(".made-bar [role=status]"), `3 of ${turns.length} turned`);
   await page.locator(".record input").first().fill("Roof 7");
   await page.locator("h1").click();
