@@ -96,7 +96,7 @@ const cells = (page, rows) => page.$$eval(rows, (all) => all.map((row) => [...ro
 /** What a click on a button saves, as rows of a CSV file without quotes in it. */
 async function saved(page, button) {
   const [file] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
-  return readFileSync(await file.path(), "utf8").trim().split("\r\n").map((line) => line.split(","));
+  return readFileSync(await file.path(), "utf8").trim().split("\r\n").map((line) => line.split(",").map((cell) => cell.replace(/^"(.*)"$/, "$1")));
 }
 
 /** Each chart is saved as an SVG that stands alone, on white, from the dark page too. */
