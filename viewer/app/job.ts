@@ -137,6 +137,8 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (/^\s*strain\W+stress\b/m.test(head)) return "law";
   if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
   if (/^(?!.*\bx\b).*\b(q|q0|qopt|l0|EA)\b/m.test(head.split("\n", 1)[0]!)) return "edges";
+  // What has no three numbers in a row of a table holds no points.
+  if (/\.(csv|txt|tsv|asc|xyz|pts)$/i.test(name) && !/(^|[\s,;])[-+]?[.\d][\d.,e+-]*[\s,;]+[-+]?[.\d][\d.,e+-]*[\s,;]+[-+]?[.\d]/m.test(text(bytes.subarray(0, 100_000)))) return "none";
   const isLater = job.outputs[planFile] || namedIn(job, "later") !== undefined || namedIn(job, "turned") !== undefined;
   return namedIn(job, "survey") !== undefined && isLater ? "later" : "survey";
 }

@@ -5,11 +5,12 @@
 
 import { byId, h, section } from "../src/dom";
 import { counted } from "../src/format";
-import type { Notes } from "../src/notes";
+import { type Notes, withNotes } from "../src/notes";
+import type { Identification } from "../src/result";
 import { Frames } from "./frames";
 import {
   addFile, contentOf, epochWords, fileMade, guessedRole, isForeign, type Job, jobText, madePlan, namedIn, netFile, newJob, planFile, readJob, resultFile, type Role, roles, roleWords,
-  setRole, turnsFile,
+  setRole, text, turnsFile,
 } from "./job";
 import { Cancelled, module, run } from "./program";
 import { fields as settingFields, forceSettings, identifySettings, importSettings, planSettings, type Setting, shown, wordsOf } from "./settings";
@@ -65,21 +66,21 @@ async function showReport(into: HTMLElement, result: string, signal: AbortSignal
   const isPlan = result === planFile;
   const report = await frames.show(into, result, job.outputs[result]!, isPlan ? ["project", "engineer", "strokes"] : ["project", "engineer"], signal);
   into.append(h("div", { class: "buttons no-print" },
-    h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), report) }, "Save report"),
+    h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), withNotes(text(report), job.notes)) }, "Save report"),
     h("button", { type: "button", onclick: () => save(result, job.outputs[result]!) }, "Save result"),
     isPlan ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null));
   into.scrollIntoView({ block: "start" });  // in a frame that is not seen nothing is drawn
 }
 
 /** Runs a command whose outputs the job keeps. Exit code 1 comes with a result, unless there is none. */
-async function command(work: Work, words: string[]): Promise<string> {
+async function command(work: Work, words: string[]): Promise<{ out: string; warnings: string[] }> {
   work.showCommand(shown(words));
   const { code, out, err, files } = await run(words, filesOf(), work);
   Object.assign(job.outputs, files);
   changed();
   work.showOutput(out, err);
   if (code !== 0 && Object.keys(files).length === 0) throw new Error(err.trim() || `the program ended with ${code}`);
-  return out;
+  return { out, warnings: [...err.matchAll(/^taut: warning: (.*)$/gm)].map(([, warning]) => warning!) };
 }
 
 /** Another program's net, with what is set for it now. */
@@ -91,16 +92,21 @@ async function importNet(work: Work): Promise<void> {
 
 async function read(work: Work): Promise<string> {
   await importNet(work);
-  const survey = named("survey");
+  const survey = [...job.inputs].filter(([, { role }]) => role === "later").at(-1)?.[0] ?? named("survey");
   const taken = ["--noise", "--unit", "--frame", "--offset"];
   const control = named("control");
   const words = survey === undefined ? [] : ["--survey", survey, ...(control ? ["--control", control] : []), ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
-  const out = await command(work, ["inspect", netName(), ...words]);
+  const { out, warnings } = await command(work, ["inspect", netName(), ...words]);
   const nodes = Number(/^net .*: (\d+) free node/m.exec(out)?.[1] ?? 0);
   byId("size").textContent = nodes > manyNodes
     ? `This net has ${nodes} free nodes. In a browser it may take minutes and more memory than there is. taut for Linux does the same with the same files, and faster.` : "";
-  return survey === undefined ? "The survey is still missing." : "";
+  return [...(survey === undefined ? ["The survey is still missing."] : []), ...warnings.map((warning) => `Warning: ${warning}.`)].join(" ");
 }
+
+const ticks = (): number => (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
+
+/** A plan or lengths that are made anew know nothing of turns without a survey after them. */
+const mayForgetTicks = (): boolean => ticks() === 0 || confirm(`${counted(ticks(), "turn")} ticked off, and no survey after them: this would start from the net before these turns. They stay among the files, as turned.csv. Go on?`);
 
 /** Forgets results from lengths or turns on. Turns that were ticked off stay, as a file that is not used. */
 function forget(from: "lengths" | "turns"): void {
@@ -113,23 +119,30 @@ function forget(from: "lengths" | "turns"): void {
 }
 
 async function identify(work: Work): Promise<string> {
+  netName();
   const survey = named("survey");
   if (survey === undefined) throw new Error("There is no survey yet: drop its file.");
+  if (!mayForgetTicks()) throw new Cancelled();
   forget("lengths");
   planning.clear();
   const epochs = epochWords(job);
   await importNet(work);
-  const out = await command(work, ["identify", netName(), survey, ...epochs, ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
+  const { out } = await command(work, ["identify", netName(), survey, ...epochs, ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
   await showReport(byId("lengths"), resultFile, work.signal);
   return /^Checks: \w+\./m.exec(out)?.[0] ?? "";
 }
 
 async function plan(work: Work): Promise<string> {
   if (!job.outputs[resultFile]) throw new Error("Identify first: a plan starts from the lengths.");
+  if (!mayForgetTicks()) throw new Cancelled();
   forget("turns");
   await command(work, ["plan", netName(), resultFile, ...roleWords(job, "plan"), ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
   await showReport(byId("turns"), planFile, work.signal);
   showMade();
+  return planOutcome();
+}
+
+function planOutcome(): string {
   const { turns, warnings } = madePlan(job);
   return warnings?.[0] ?? `${counted(turns.length, "turn")}.`;
 }
@@ -152,12 +165,19 @@ function showFiles(): void {
   byId("import").hidden = net === undefined || !isForeign(net, job.inputs.get(net)!.bytes);
 }
 
-/** What comes after the turns: how many are ticked off, and the next survey. */
+/** What comes after the turns: how many are ticked off, and the surveys after them. */
 function showMade(): void {
   const { turns } = madePlan(job);
-  const made = (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
-  byId("made").textContent = turns.length === 0 ? "Make a plan first. Its list of turns is ticked off in the report above."
-    : `${made} of ${turns.length} turns are ticked off in the list above. Turn, survey again, and drop the next survey here: what is ticked off counts as turned before it.`;
+  const inputs = [...job.inputs];
+  const later = inputs.flatMap(([name, { role }], i) => {
+    if (role !== "later") return [];
+    const turned = inputs[i - 1]?.[1].role === "turned" ? inputs[i - 1]![0] : undefined;
+    return [turned ? `${name} was surveyed after what ${turned} says was turned.` : `${name} counts as surveyed with nothing turned before it: where something was, drop a file of it, too.`];
+  });
+  const now = turns.length > 0
+    ? `${ticks()} of ${turns.length} turns are ticked off in the list above. Turn, survey again, and drop the next survey here: what is ticked off counts as turned before it.`
+    : job.outputs[planFile] ? "The plan turns nothing." : later.length > 0 ? "Identify again." : "Make a plan first. Its list of turns is ticked off in its report.";
+  byId("made").textContent = [...later, now].join(" ");
 }
 
 /** Ends what belongs to other files. */
@@ -210,8 +230,14 @@ async function open(opened: Job): Promise<void> {
   Object.assign(job, { outputs, notes: opened.notes });
   const { signal } = ofFiles;
   try {
-    if (outputs[resultFile]) await showReport(byId("lengths"), resultFile, signal);
-    if (outputs[planFile]) await showReport(byId("turns"), planFile, signal);
+    if (outputs[resultFile]) {
+      await showReport(byId("lengths"), resultFile, signal);
+      identifying.showOutcome(`Checks: ${(JSON.parse(text(outputs[resultFile])) as Identification).trust?.verdict ?? "not made"}.`);
+    }
+    if (outputs[planFile]) {
+      await showReport(byId("turns"), planFile, signal);
+      planning.showOutcome(planOutcome());
+    }
   } catch (error) {
     if (!signal.aborted) job.outputs = {};  // they are not what the program writes
     throw error;
@@ -221,6 +247,7 @@ async function open(opened: Job): Promise<void> {
 
 /** The built-in net, and a survey of it as it might be built. */
 async function example(): Promise<void> {
+  if (!mayForgetAll()) return;
   const { files: net } = await run(["example", "hilo-quarter", "-o", netFile]);
   const { files: built } = await run(["form", netFile, "--prior", "uniform:5mm", "--seed", "7", "-o", "built.csv"], net);
   const { files: survey } = await run(["survey", netFile, "built.csv", "--noise", "0.5mm", "--seed", "2", "-o", "survey.csv"], { ...net, ...built });
@@ -232,7 +259,10 @@ async function example(): Promise<void> {
 }
 
 function showSettings(): void {
-  const fields = (settings: Setting[], values: Record<string, string>): HTMLElement => settingFields(settings, values, changed);
+  const fields = (settings: Setting[], values: Record<string, string>): HTMLElement => settingFields(settings, values, () => {
+    changed();
+    for (const work of settings === planSettings ? [planning] : [identifying, planning]) work.settingsChanged();
+  });
   byId("import").replaceChildren(h("p", { class: "quiet" }, "The net is another program's. What its file does not say:"), fields(importSettings, job.settings));
   byId("force-settings").replaceChildren(fields(forceSettings, job.settings));
   byId("identify-settings").replaceChildren(fields(identifySettings, job.settings));
@@ -254,7 +284,11 @@ function dropPlace(id: string, title: string, hint: string): HTMLElement {
   return place;
 }
 
+/** Whether results may be forgotten. */
+const mayForgetAll = (): boolean => job.outputs[resultFile] === undefined || confirm("The results of this job, and what is ticked off, would be forgotten. Go on?");
+
 function startAnew(): void {
+  if (!mayForgetAll()) return;
   job = newJob();
   showSettings();
   filesChanged();

@@ -11,27 +11,29 @@ export interface Setting {
   /** What is taken where nothing is given. */
   preset: string;
   hint?: string;
+  /** Each number in it takes a unit. */
+  unit?: string;
   choices?: string[];
 }
 
 export const identifySettings: Setting[] = [
-  { option: "--noise", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate: 0.5mm" },
+  { option: "--noise", unit: "mm", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate, where the file has none: 0.5mm" },
   { option: "--prior", label: "Fabrication tolerance (prior)", preset: "a broad one around uniform:5mm", hint: "uniform:5mm, normal:2mm, bimodal:5mm" },
   { option: "--uncertain", label: "Uncertain parameters", preset: "those of an ordinary site", hint: "stiffness:5% supports:2mm, or none" },
-  { option: "--offset", label: "Offset of the targets", preset: "0mm", hint: "from the cable's axis, and its standard deviation: 3mm:0.2mm" },
+  { option: "--offset", unit: "mm", label: "Offset of the targets", preset: "0mm", hint: "from the cable's axis, and its standard deviation: 3mm:0.2mm" },
   { option: "--unit", label: "Unit of the coordinates", preset: "the file's, or by its extent", choices: ["m", "mm", "cm", "ft", "us-ft", "in"] },
   { option: "--frame", label: "Coordinate system", preset: "auto", choices: ["net", "supports"] },
   { option: "--draws", label: "Posterior samples", preset: "by the net's size", hint: "200; a plan needs them" },
 ];
 
 export const planSettings: Setting[] = [
-  { option: "--tension", label: "Limits of tension", preset: "no edge slack", hint: "1.5kN..10kN, several apart by blanks" },
-  { option: "--reaction", label: "Largest force at a support", preset: "any", hint: "20kN" },
-  { option: "--stroke", label: "Largest change of length", preset: "15mm", hint: "of a turnbuckle from where it is now" },
-  { option: "--turn", label: "Change of length by one turn", preset: "lengths alone", hint: "pitch: 5mm" },
+  { option: "--tension", unit: "kN", label: "Limits of tension", preset: "no edge slack", hint: "1.5kN..10kN, several apart by blanks" },
+  { option: "--reaction", unit: "kN", label: "Largest force at a support", preset: "any", hint: "20kN" },
+  { option: "--stroke", unit: "mm", label: "Largest change of length", preset: "15mm", hint: "of a turnbuckle from where it is now" },
+  { option: "--turn", unit: "mm", label: "Change of length by one turn", preset: "lengths alone", hint: "pitch: 5mm" },
   { option: "--step", label: "Smallest part of a turn", preset: "any", hint: "1/4; needs the pitch" },
   { option: "--thread", label: "Thread", preset: "that of the net", choices: ["right", "left"] },
-  { option: "--tolerance", label: "Good enough", preset: "as near as can be", hint: "RMS along the normal: 2mm; then the fewest turns" },
+  { option: "--tolerance", unit: "mm", label: "Good enough", preset: "as near as can be", hint: "RMS along the normal: 2mm; then the fewest turns" },
   { option: "--crews", label: "Crews", preset: "1" },
 ];
 
@@ -41,8 +43,8 @@ export const forceSettings: Setting[] = [
 ];
 
 export const importSettings: Setting[] = [
-  { option: "--axial-stiffness", label: "Axial stiffness EA", preset: "the file's", hint: "200kN" },
-  { option: "--young", label: "Young's modulus", preset: "the file's", hint: "205GPa" },
+  { option: "--axial-stiffness", unit: "kN", label: "Axial stiffness EA", preset: "the file's", hint: "200kN" },
+  { option: "--young", unit: "GPa", label: "Young's modulus", preset: "the file's", hint: "205GPa" },
   { option: "--diameter", label: "Diameter", preset: "the file's", hint: "mm, or the attribute that gives it" },
   { option: "--force-unit", label: "Unit of forces", preset: "the file's", choices: ["N", "kN"] },
   { option: "--supports", label: "Further supports", preset: "none", choices: ["boundary"] },
@@ -60,9 +62,17 @@ export function fields(settings: Setting[], values: Record<string, string>, chan
   }));
 }
 
-/** The words of the command line for what was set. */
-export const wordsOf = (settings: Setting[], values: Record<string, string>): string[] =>
-  settings.flatMap(({ option }) => (values[option] ? [option, ...values[option].split(/\s+/)] : []));
+/** The words of the command line for what was set. Throws for a number that lacks its unit. */
+export function wordsOf(settings: Setting[], values: Record<string, string>): string[] {
+  return settings.flatMap(({ option, label, unit }) => {
+    const value = values[option];
+    if (!value) return [];
+    // The program would take a bare number in SI units.
+    const bare = value.split(/\s+|\.\.|:|@.*$/).find((part) => /^[-+]?(\d+[.,]?\d*|[.,]\d+)$/.test(part) && Number(part) !== 0);
+    if (unit && bare !== undefined) throw new Error(`${label}: ${bare} has no unit. Write ${bare}${unit}, say.`);
+    return [option, ...value.split(/\s+/)];
+  });
+}
 
 /** A command as it can be pasted into a shell. */
 export const shown = (words: string[]): string =>

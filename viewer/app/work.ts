@@ -4,6 +4,8 @@
 import { h } from "../src/dom";
 import { Cancelled, type RunOptions } from "./program";
 
+const changedSince = "Settings have changed since.";
+
 /** A piece of work: its button, its progress, how it is cancelled, and what the program said. */
 export class Work implements RunOptions {
   readonly element: HTMLElement;
@@ -43,6 +45,16 @@ export class Work implements RunOptions {
       if (controller !== this.controller) return;
       this.show("failed", error instanceof Cancelled ? "Cancelled." : error instanceof Error ? error.message : String(error));
     }
+  }
+
+  /** What is known of work that was done before. */
+  showOutcome(outcome: string): void {
+    this.show("done", outcome);
+  }
+
+  /** What was done was done with other settings. */
+  settingsChanged(): void {
+    if (this.element.dataset.state === "done" && !this.status.textContent?.includes(changedSince)) this.status.textContent += ` ${changedSince}`;
   }
 
   /** Forgets what was done. */

@@ -61,6 +61,7 @@ export function madeCell(plan: Plan, index: number, notebook: Notebook): HTMLEle
     // A slip of the pen is no turn, nor is the planned one made then.
     const isWrong = !(Math.abs(stroke) <= Math.max(10 * Math.abs(turn.stroke), 0.05));
     value.setAttribute("aria-invalid", String(isWrong));
+    value.title = isWrong ? `expected ${plan.options.pitch === null ? "millimetres, such as 2.5" : "turns, such as 1 3/4"}` : "";
     set(isWrong ? null : stroke);
   });
   notebook.subscribe(() => {

@@ -10,8 +10,8 @@ import { type Side, sideOf } from "./net_map";
 import type { Notebook } from "./notes";
 import type { Plan, Turn } from "./result";
 
-/** With a drawing above them so many fill a sheet of A4. */
-const rowsOnSheet = 18;
+/** With a drawing above them so many fill a sheet of A4, without warnings and with them. */
+const rowsOnSheet = { plain: 17, warned: 12 };
 
 const signed = (value: number, decimals: number): string => (value > 0 ? "+" : "") + fixed(value, decimals);
 
@@ -111,10 +111,11 @@ function sheet({ plan, model, notebook, side, columns, how }: Sheets, crew: numb
 }
 
 function sheetsOf(sheets: Sheets, crew: number): HTMLElement[] {
+  const rows = warningsOf(sheets.plan).length > 0 ? rowsOnSheet.warned : rowsOnSheet.plain;
   const own = sheets.plan.turns.map((_, i) => i).filter((i) => sheets.plan.turns[i]!.crew === crew);
-  const count = Math.ceil(own.length / rowsOnSheet);
+  const count = Math.ceil(own.length / rows);
   return Array.from({ length: count }, (_, k) =>
-    sheet(sheets, crew, own.slice(k * rowsOnSheet, (k + 1) * rowsOnSheet), `${counted(own.length, "line")} · sheet ${k + 1} of ${count}`));
+    sheet(sheets, crew, own.slice(k * rows, (k + 1) * rows), `${counted(own.length, "line")} · sheet ${k + 1} of ${count}`));
 }
 
 /** Prints the lists only. */
@@ -130,7 +131,7 @@ export function crewsSection(plan: Plan, model: Model, notebook: Notebook): HTML
   if (plan.turns.length === 0) return section("crews", heading, h("p", { class: "quiet" }, "Nothing to turn: there is no list."));
   const { thread } = plan.options;
   const { crews, passes } = plan.order;
-  const together = crews > 1 ? " Turns of the same step are made together. Begin a step only when all crews have finished the one before." : " Keep to the order: it was checked step by step.";
+  const together = crews > 1 ? " Turns of the same step are made together. Begin a step only when all crews have finished the one before." : plan.order.safe ? " Keep to the order: it was checked step by step." : "";
   const again = passes > 1 ? " A cable may come again in a later pass: its scale reading is after that pass, its tension after all passes." : "";
   const threads = thread === null ? "Threads are right-hand or left-hand as given in the net." : `The turnbuckles have a ${thread}-hand thread.`;
   const turning = hasRotation(plan) ? `${threads} Clockwise is seen from the support along the cable.` : "The direction of rotation is not given, because the thread is not known.";

@@ -110,10 +110,11 @@ export function ofIdentification(result: Identification): Summary {
   const prior = result.length_prior ? ` Prior: lengths deviate ${priorWords(result.length_prior)}.` : "";
   const notSlack = tense.length < edges.length ? ", without slack cables" : "";
   const factor = varianceFactor(result);
+  const surveys = Math.max(1, result.epochs?.length ?? 0);
   return {
-    title: "Unstressed length of each cable, from one survey",
+    title: `Unstressed length of each cable, from ${surveys === 1 ? "one survey" : counted(surveys, "survey")}`,
     done:
-      `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed.${frameWords(result)} ` +
+      `${surveys === 1 ? "One survey" : counted(surveys, "survey")} of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed${surveys === 1 ? "" : " in the last"}.${frameWords(result)} ` +
       `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}.${prior}${noise}`,
     sentences: [
       `${determined} of ${counted(edges.length, "interior cable")} are determined${tense.length > 0 ? `; 95 % intervals are ${median} mm (median${notSlack})` : ""}.${longestWords(result, tense)}${tensionWords(result)}`,

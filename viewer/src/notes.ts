@@ -30,6 +30,12 @@ export function keyOf(result: Result): string {
   return `taut-notes/${result.format}/${result.net.fingerprint ?? ""}/${result.date ?? ""}/${hash}`;
 }
 
+/** The page of a report with these notes in it. */
+export function withNotes(page: string, notes: Notes): string {
+  const place = '<script type="application/json" id="result">';
+  return page.replace(place, () => `<script type="application/json" id="notes">${JSON.stringify(notes).replaceAll("<", "\\u003c")}</script>\n${place}`);
+}
+
 /** Notes of one result: kept by the browser under `key`, and by the page that shows the report in a frame. */
 export class Notebook {
   notes: Notes = {};
@@ -39,6 +45,7 @@ export class Notebook {
 
   constructor(private readonly key: string) {
     try {
+      this.take(JSON.parse(document.getElementById("notes")?.textContent ?? "null"));
       this.take(JSON.parse(localStorage.getItem(key) ?? "null"));
     } catch {
       // A browser may keep nothing for this page.

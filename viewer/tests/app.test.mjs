@@ -51,7 +51,11 @@ async function open(options = {}, opener = browser) {
     if (["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall")) page.complaints.push(message.text());
   });
   page.on("pageerror", (error) => page.complaints.push(error.message));
-  page.on("dialog", (dialog) => page.complaints.push(`dialog ${dialog.message()}`));
+  page.questions = [];
+  page.on("dialog", (dialog) => {
+    (dialog.type() === "confirm" ? page.questions : page.complaints).push(dialog.message());
+    void dialog.accept();
+  });
   await page.goto(`file://${app}`);
   await page.waitForSelector("body[data-ready]", { state: "attached" });
   return page;
@@ -205,7 +209,10 @@ test("what was ticked off, and the next survey, are an epoch; a page opened agai
   assert.equal(await again.inputValue('[name="--prior"]'), "uniform:5mm");
   assert.equal(await again.locator("#files li").count(), 4);
   await again.frameLocator("#lengths iframe").locator("body[data-ready]").waitFor();
+  assert.match(await again.textContent("#identification .status"), /^Checks: (passed|doubtful)\.$/);
+  assert.match(await again.textContent("#made"), /^survey-2\.csv was surveyed after what turned\.csv says was turned\. /);
   await again.click("#new-job");
+  assert.deepEqual(again.questions.map((question) => question.slice(0, 11)), ["The results"]);
   assert.equal(await again.locator("#files li").count(), 0);
   assert.deepEqual([...page.complaints, ...again.complaints], []);
   await context.close();
@@ -228,6 +235,40 @@ test("files of another program, of forces and of control points are known by wha
   await page.click("#new-job");
   await drop(page, "#drop", ["net.obj", "survey.csv"]);
   assert.deepEqual(await roles(), ["net", "survey"]);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("a plan made anew asks before it forgets ticks; a number takes its unit; what is set later shows", async () => {
+  const page = await open();
+  await page.click("#example");
+  await page.waitForSelector("#read [data-state=done]");
+  await page.fill('[name="--draws"]', "0");
+  await page.fill('[name="--tension"]', "1..8");
+  await page.dispatchEvent("#do-identify", "click");
+  await page.waitForSelector("#identification [data-state=done]");
+  await page.dispatchEvent("#do-plan", "click");
+  await page.waitForSelector("#planning [data-state=failed]");
+  assert.equal(await page.textContent("#planning .status"), "Limits of tension: 1 has no unit. Write 1kN, say.");
+  await page.fill('[name="--tension"]', "0.05kN..20kN");
+  await page.dispatchEvent("#do-plan", "click");
+  await page.waitForSelector("#planning [data-state=done]");
+  await page.fill('[name="--crews"]', "2");
+  assert.match(await page.textContent("#planning .status"), / Settings have changed since\.$/);
+  const report = page.frameLocator("#turns iframe");
+  await report.locator("body[data-ready]").waitFor();
+  await report.locator(".record input").first().fill("Roof hall B");
+  await report.locator(".record input").first().blur();
+  await report.locator(".tick").first().check();
+  await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
+  assert.equal(await page.frameLocator("#lengths iframe").locator(".record input").first().inputValue(), "Roof hall B");
+  await page.dispatchEvent("#do-plan", "click");
+  await page.waitForSelector("#planning [data-state=running]");
+  await page.waitForSelector("#planning [data-state=done]");
+  assert.match(page.questions.join(), /^1 turn ticked off, and no survey after them/);
+  assert.ok((await page.locator("#files li code").allTextContents()).includes("turned.csv"));
+  await report.locator("body[data-ready]").waitFor();
+  assert.equal(await report.locator(".record input").first().inputValue(), "Roof hall B");
   assert.deepEqual(page.complaints, []);
   await page.close();
 });
