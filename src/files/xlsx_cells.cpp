@@ -26,14 +26,23 @@ std::optional<size_t> parse_index(std::string_view text) {
                                                                     : std::nullopt;
 }
 
+/// All text of a node: pugixml's text() ends at the first comment.
+std::string own_text(pugi::xml_node node) {
+    std::string text;
+    for (const pugi::xml_node part : node.children()) {
+        text += part.value();  // of an element: nothing
+    }
+    return text;
+}
+
 /// A text, which may stand in runs of different fonts; without how it is pronounced.
 std::string rich_text(pugi::xml_node node) {
     std::string text;
     for (const pugi::xml_node part : node.children()) {
         if (local_name(part) == "t") {
-            text += part.text().get();
+            text += own_text(part);
         } else if (local_name(part) == "r") {
-            text += child_of(part, "t").text().get();
+            text += own_text(child_of(part, "t"));
         }
     }
     return text;
@@ -91,7 +100,7 @@ std::string date_text(double serial, bool starts_1904) {
 /// The text of a cell of text; nothing for other cells.
 std::optional<std::string> text_of(pugi::xml_node cell, const XlsxShared& shared) {
     const std::string_view type = type_of(cell);
-    const char* const value = child_of(cell, "v").text().get();
+    const std::string value = own_text(child_of(cell, "v"));
     if (type == "s") {
         const auto index = parse_index(value);
         if (!index || *index >= shared.texts.size()) {
@@ -176,16 +185,20 @@ std::string to_string(XlsxReference cell) {
 }
 
 bool holds_value(pugi::xml_node cell) {
-    return child_of(cell, "f") || *child_of(cell, "v").text().get() != '\0' ||
+    return child_of(cell, "f") || !own_text(child_of(cell, "v")).empty() ||
            (type_of(cell) == "inlineStr" && !rich_text(child_of(cell, "is")).empty());
 }
 
 bool holds_number(pugi::xml_node cell, const XlsxShared& shared) {
     if (type_of(cell) == "n") {
-        return !is_date(cell, shared) && parse_number(child_of(cell, "v").text().get()).has_value();
+        return !is_date(cell, shared) && parse_number(own_text(child_of(cell, "v"))).has_value();
     }
     try {
+        constexpr size_t longest_number = 1000;
         std::string text = text_of(cell, shared).value_or("");
+        if (text.size() > longest_number) {
+            return false;
+        }
         std::ranges::replace(text, ',', '.');
         return parse_number(text).has_value();
     } catch (const std::invalid_argument&) {
@@ -195,7 +208,7 @@ bool holds_number(pugi::xml_node cell, const XlsxShared& shared) {
 
 std::string value_text(pugi::xml_node cell, const XlsxShared& shared) {
     const std::string_view type = type_of(cell);
-    const std::string value = child_of(cell, "v").text().get();
+    const std::string value = own_text(child_of(cell, "v"));
     if (type == "e") {
         throw std::invalid_argument(
             fmt::format("holds the error {}, expected a value or nothing", quote(value)));

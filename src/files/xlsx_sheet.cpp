@@ -17,6 +17,8 @@ namespace {
 
 /// As of text files: files/csv_reader.cpp, interchange/surveys/foreign_survey.cpp.
 constexpr size_t most_columns = 1000;
+/// So many numbers in a row are a point.
+constexpr int coordinates = 3;
 constexpr size_t largest_text = size_t{64} << 20U;
 
 }  // namespace
@@ -33,7 +35,6 @@ SheetReader::SheetReader(std::string name, const std::string& text, const std::s
 }
 
 bool SheetReader::has_points() const {
-    constexpr int coordinates = 3;
     return std::ranges::any_of(m_rows, [](const Row& row) { return row.numbers >= coordinates; });
 }
 
@@ -149,7 +150,9 @@ std::string SheetReader::line_of(const Row& row, int first, int last) const {
         line.append(is_remark ? 1 : static_cast<size_t>(at - column), is_remark ? ' ' : ',');
         column = at;
         const std::string text = text_of(row, at, cell);
-        is_remark = is_remark || (at == row.cells.front().first && text.starts_with('#'));
+        // A name may begin like a remark: coordinates behind it make it one.
+        is_remark = is_remark || (at == row.cells.front().first && text.starts_with('#') &&
+                                  row.numbers < coordinates);
         if (!text.empty()) {
             line += is_remark ? text : quoted_csv_field(text);
         }

@@ -143,6 +143,33 @@ void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
     }
 }
 
+/// An edge that did not change as it was turned: that nothing was turned is the first thing to ask.
+Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
+                              const LengthChange& change, const std::string& between) {
+    Trust::Finding finding{
+        .kind = FindingKind::length_change,
+        .severity = Verdict::doubtful,
+        .ids = {net.edge_id(change.edge)},
+        .value = change.change,
+        .std = change.std,
+        .reason = fmt::format("{} the length of edge {} changed by {}. taut gave each survey a "
+                              "length of its own for it.",
+                              between, net.edge_id(change.edge), change_text(change)),
+        .next =
+            "If it was turned, add it to the turns. Else check whether it slipped, was slack "
+            "at one survey, or a support at it moved."};
+    const auto turned = std::ranges::find(epoch.turned, change.edge, &EdgeTurned::edge);
+    if (turned != epoch.turned.end()) {
+        finding.reason = fmt::format(
+            "{} edge {} was turned by {:+.2f} mm as given, and its length changed by {:+.2f} +- "
+            "{:.2f} mm. taut gave each survey a length of its own for it.",
+            between, net.edge_id(change.edge), 1e3 * turned->stroke,
+            1e3 * (turned->stroke + change.change), 1e3 * change.std);
+        finding.next = "Check whether it was turned as given, and which way.";
+    }
+    return finding;
+}
+
 /// Reports how lengths changed before a survey, besides the turns given.
 void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, size_t k) {
     const std::string between = fmt::format("Between surveys {} and {}", k, k + 1);
@@ -169,17 +196,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
              .next = "Check the sign and unit of what was turned, and the length of a turn."});
     }
     for (const LengthChange& change : epoch.changes) {
-        trust.findings.push_back(
-            {.kind = FindingKind::length_change,
-             .severity = Verdict::doubtful,
-             .ids = {net.edge_id(change.edge)},
-             .value = change.change,
-             .std = change.std,
-             .reason = fmt::format("{} the length of edge {} changed by {}. taut gave each survey "
-                                   "a length of its own for it.",
-                                   between, net.edge_id(change.edge), change_text(change)),
-             .next = "If it was turned, add it to the turns. Else check whether it slipped, was "
-                     "slack at one survey, or a support at it moved."});
+        trust.findings.push_back(change_finding(net, epoch, change, between));
     }
     if (epoch.excess_actuator_std > 0.0) {
         trust.findings.push_back(

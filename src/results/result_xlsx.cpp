@@ -5,9 +5,11 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "files/csv_field.hpp"
 #include "files/parse_number.hpp"
 #include "files/xlsx_writer.hpp"
 #include "results/document_parts.hpp"
@@ -33,10 +35,16 @@ std::string text_of_key(const json& object, const char* key) {
     return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-/// A name, as a number where nothing of it is lost: spreadsheets mark numbers that are text.
+/// A name, as a number where it is a whole one that spreadsheets show in full: they mark numbers
+/// that are text. Others as in a CSV file, which such a sheet is read like.
 XlsxCell name_cell(const std::string& id) {
+    constexpr double most_digits = 1e15;
     const auto value = parse_number(id);
-    return value && fmt::format("{}", *value) == id ? XlsxCell(*value) : XlsxCell(id);
+    if (value && std::abs(*value) < most_digits && fmt::format("{:.0f}", *value) == id &&
+        id != "-0") {
+        return *value;
+    }
+    return begins_as_formula(id) && !value ? "'" + id : id;
 }
 
 std::vector<std::string> texts_of_key(const json& object, const char* key) {

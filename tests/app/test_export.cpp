@@ -4,9 +4,12 @@
 // Guards against a form that is written with the lengths of another net, and so with tensions of
 // neither, and against a net that changes on its way out to another program and back.
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "app/program.hpp"
+#include "files/zip_archive.hpp"
 #include "support/errors.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/files/table_file.hpp"
@@ -108,6 +111,25 @@ TEST_F(Export, WritesTheListOfTurnsAsAnExcelFile) {
     EXPECT_EQ(std::ranges::count(sheet.text, '\n'), std::ranges::count(text, '\n'));
     EXPECT_EQ(sheet.text.substr(0, sheet.text.find('\n')), text.substr(0, text.find('\n')));
     json plan = json::parse(read("plan.json"));
+    json named = plan;
+    std::vector<std::string> ids;
+    for (size_t e = 0; e < plan["cable_net"]["edges"].size(); ++e) {
+        ids.push_back(e % 2 == 0 ? fmt::format("{}.5", e) : fmt::format("=e{}", e));
+    }
+    named["cable_net"]["edge_ids"] = ids;
+    for (json& turn : named["turns"]) {
+        turn["edge_id"] = ids[turn["edge"]];
+    }
+    write("named.json", named.dump());
+    must_run({"export", "named.json", "--to", "xlsx", "-o", "named.xlsx"});
+    const std::string first = named["turns"][0]["edge_id"];
+    // A number with a decimal would show without it, and other names are as in a CSV file.
+    EXPECT_THAT(read_table(folder() / "named.xlsx"),
+                HasSubstr(first.starts_with('=') ? ",'" + first + "," : "," + first + ","));
+    const std::string bytes = read("named.xlsx");
+    const std::string file_name = "named.xlsx";
+    EXPECT_THAT(ZipArchive(bytes, file_name).part("xl/worksheets/sheet1.xml").value_or(""),
+                testing::AllOf(HasSubstr("<t"), testing::Not(HasSubstr(".5</v>"))));
     plan["warnings"] = {"DO NOT TURN BY THIS LIST: the plan breaks limits"};
     write("bad.json", plan.dump());
     const Outcome bad = run({"export", "bad.json", "--to", "xlsx", "-o", "bad.xlsx"});

@@ -94,6 +94,14 @@ TEST(Xlsx, IsTheTextOfItsSheetWithEachRowOnItsLine) {
         ",\"a, \"\"b\"\"\",\"East [mm]\",,\n\n,P1,0.30000000000000004,0.001,12\n\n# last 7\n");
 }
 
+TEST(Xlsx, HasValuesWholeAndNamesThatBeginLikeRemarks) {
+    EXPECT_EQ(table(one_sheet("<row><c t='str'><v>#a</v></c><c><v>1<!-- x -->2</v></c>"
+                              "<c><v>2</v></c><c><v><![CDATA[3]]></v></c></row>"
+                              "<row><c t='str'><v># b</v></c><c><v>7</v></c></row>"))
+                  .text,
+              "\"#a\",12,2,3\n# b 7\n");
+}
+
 TEST(Xlsx, TakesDatesForTextAndFormatsForNothing) {
     EXPECT_EQ(table(one_sheet("<row r='1'><c r='A1' s='1'><v>46145.75</v></c>"
                               "<c r='B1' s='2'><v>46145</v></c><c r='C1' s='3'><v>1.2345</v></c>"

@@ -101,6 +101,9 @@ export function readJob(name: string, bytes: Uint8Array): Job | null {
   if (formatOf(name, bytes) !== format) return null;
   const file = JSON.parse(text(bytes)) as JobFile;
   if (file.version !== 1) throw new Error(`${name} is a job of version ${String(file.version)}, expected 1`);
+  if (file.outputs?.some?.((output) => !isMade(output?.name) || (file.inputs?.some?.((input) => input?.name === output.name) ?? true))) {
+    throw new Error(`${name} is not a whole job: its outputs are not those of this page`);
+  }
   if (!isJobFile(file)) throw new Error(`${name} is not a whole job: expected inputs, settings and outputs as this page saves them`);
   try {
     return {
@@ -177,10 +180,14 @@ export function setRole(job: Job, name: string, role: Role): void {
   if (before.lastIndexOf("turned") <= before.lastIndexOf("later")) fileMade(job, "turned", name);
 }
 
-/** A file that comes again takes the place of the old one, unless it is another survey. */
-export function addFile(job: Job, name: string, bytes: Uint8Array): void {
+/**
+ * A file that comes again takes the place of the old one, unless it is another survey.
+ * @param isNext whether a survey is one after the turns
+ */
+export function addFile(job: Job, name: string, bytes: Uint8Array, isNext = false): void {
   const safe = name.replace(/[:/\\]/g, "_").replace(/^-/, "_");
-  const role = guessedRole(safe, bytes, job);
+  const guessed = guessedRole(safe, bytes, job);
+  const role = guessed === "survey" && isNext && namedIn(job, "survey") !== undefined ? "later" : guessed;
   const isTaken = isMade(safe) && !(safe === netFile && !isForeign(safe, bytes));
   const own = role === "later" || role === "turned" || isTaken ? freeName(job, safe) : safe;
   job.inputs.delete(own);

@@ -207,7 +207,7 @@ async function attempt(work: () => Promise<void>): Promise<void> {
   }
 }
 
-async function take(files: Iterable<File>): Promise<void> {
+async function take(files: Iterable<File>, isNext: boolean): Promise<void> {
   const read: [string, Uint8Array][] = [];
   for (const file of files) {
     const bytes = await contentOf(file);
@@ -217,7 +217,7 @@ async function take(files: Iterable<File>): Promise<void> {
   }
   // What was turned comes before the survey after it.
   const isTurned = ([name, bytes]: [string, Uint8Array]): boolean => guessedRole(name, bytes, job) === "turned";
-  for (const [name, bytes] of [...read.filter(isTurned), ...read.filter((one) => !isTurned(one))]) addFile(job, name, bytes);
+  for (const [name, bytes] of [...read.filter(isTurned), ...read.filter((one) => !isTurned(one))]) addFile(job, name, bytes, isNext);
   filesChanged();
 }
 
@@ -230,6 +230,8 @@ async function open(opened: Job): Promise<void> {
   Object.assign(job, { outputs, notes: opened.notes });
   const { signal } = ofFiles;
   try {
+    // Of another plan.
+    if (job.notes.strokes?.length !== madePlan(job).turns?.length) delete job.notes.strokes;
     if (outputs[resultFile]) {
       await showReport(byId("lengths"), resultFile, signal);
       identifying.showOutcome(`Checks: ${(JSON.parse(text(outputs[resultFile])) as Identification).trust?.verdict ?? "not made"}.`);
@@ -275,12 +277,12 @@ function dropPlace(id: string, title: string, hint: string): HTMLElement {
     const input = target as HTMLInputElement;
     const files = [...(input.files ?? [])];
     input.value = "";  // so that the same file can be picked again
-    void attempt(() => take(files));
+    void attempt(() => take(files, id === "drop-next"));
   } });
   const place = h("label", { id, class: "drop", for: `${id}-pick` }, h("strong", {}, title), h("span", {}, hint), picker);
   for (const type of ["dragenter", "dragover"]) place.addEventListener(type, (event) => { event.preventDefault(); place.classList.add("over"); });
   for (const type of ["dragleave", "drop"]) place.addEventListener(type, () => place.classList.remove("over"));
-  place.addEventListener("drop", (event) => { event.preventDefault(); const files = [...(event.dataTransfer?.files ?? [])]; void attempt(() => take(files)); });
+  place.addEventListener("drop", (event) => { event.preventDefault(); const files = [...(event.dataTransfer?.files ?? [])]; void attempt(() => take(files, id === "drop-next")); });
   return place;
 }
 

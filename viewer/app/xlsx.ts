@@ -204,7 +204,7 @@ class Workbook {
     const [first, last] = [columns[0] ?? 1, columns.at(-1) ?? 1];
     let text = "";
     let line = 1;
-    for (const { number, cells } of rows) {
+    for (const { number, cells, numbers } of rows) {
       const values = new Map([...cells].map(([column, cell]) => {
         try {
           return [column, this.value(cell).replace(/[\n\r\t]/g, " ").trim()];
@@ -212,7 +212,7 @@ class Workbook {
           return this.fail(`cell ${cell.getAttribute("r") ?? ""} ${(error as Error).message}`, number);
         }
       }));
-      const isRemark = [...values.values()][0]?.startsWith("#") ?? false;
+      const isRemark = numbers < 3 && ([...values.values()][0]?.startsWith("#") ?? false);
       const quoted = (value: string): string => (!/[,;" ]|^#/.test(value) ? value : `"${value.replaceAll('"', '""')}"`);
       const fields = Array.from({ length: last - first + 1 }, (_, k) => {
         const value = values.get(first + k);
