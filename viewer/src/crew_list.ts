@@ -11,7 +11,7 @@ import type { Notebook } from "./notes";
 import type { Plan, Turn } from "./result";
 
 /** With a drawing above them so many fill a sheet of A4, without warnings and with them. */
-const rowsOnSheet = { plain: 17, warned: 12 };
+const rowsOnSheet = { plain: 17, warned: 14 };
 
 const signed = (value: number, decimals: number): string => (value > 0 ? "+" : "") + fixed(value, decimals);
 
