@@ -161,7 +161,7 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
     const auto turned = std::ranges::find(epoch.turned, change.edge, &EdgeTurned::edge);
     if (turned != epoch.turned.end()) {
         finding.reason = fmt::format(
-            "{} edge {} was turned by {:+.2f} mm as given, and its length changed by {:+.2f} +- "
+            "{} edge {} is given as turned by {:+.2f} mm, but its length changed by {:+.2f} +- "
             "{:.2f} mm. taut gave each survey a length of its own for it.",
             between, net.edge_id(change.edge), 1e3 * turned->stroke,
             1e3 * (turned->stroke + change.change), 1e3 * change.std);

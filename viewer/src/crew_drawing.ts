@@ -3,7 +3,7 @@
 
 import { svg } from "./dom";
 import { nice } from "./format";
-import type { Model } from "./model";
+import { endsFromOutside, type Model } from "./model";
 import { axisNames, placeIn, type Side } from "./net_map";
 import { mostInPlan, thinned } from "./thinning";
 
@@ -23,7 +23,7 @@ const overlap = (a: Box, b: Box): boolean => a.left < b.right && b.left < a.righ
 /** A number in a ring and the support's name beside it, at a place from which the cable comes. */
 interface Label { number: string; name: string; at: Point; middle: Point }
 
-const short = (name: string): string => (name.length > longestName ? `${name.slice(0, longestName - 1)}…` : name);
+const cut = (name: string): string => (name.length > longestName ? `${name.slice(0, longestName - 1)}…` : name);
 
 /** Half the width of the ring. */
 const halfWidth = (number: string): number => Math.max(radius, 0.6 * letterWidth * number.length + 0.8);
@@ -32,7 +32,7 @@ const halfWidth = (number: string): number => Math.max(radius, 0.6 * letterWidth
 function boxesOf({ number, name, at, middle: [x, y] }: Label): Box[] {
   const half = halfWidth(number);
   const ring = { left: x - half, right: x + half, top: y - radius, bottom: y + radius };
-  const width = letterWidth * short(name).length + 1;
+  const width = letterWidth * cut(name).length + 1;
   const left = x >= at[0] ? x + half : x - half - width;
   return name ? [ring, { left, right: left + width, top: y - textHeight / 2, bottom: y + textHeight / 2 }] : [ring];
 }
@@ -113,8 +113,7 @@ export function crewDrawing(model: Model, side: Side, numbers: Map<number, strin
   const taken: Box[] = [];
   const cables = onSheet.flatMap((edge) => { const [s, t] = endsOf(edge); return alongLine(on(s), on(t)); });
   const labels = onSheet.map((edge) => {
-    const [s, t] = endsOf(edge);
-    const [support, inner] = model.isSupport[t] && !model.isSupport[s] ? [t, s] : [s, t];
+    const [support, inner] = endsFromOutside(model, edge);
     const isHeld = model.isSupport[support] === 1;
     const [outer, free] = [on(support), on(inner)];
     const at: Point = isHeld ? outer : [(outer[0] + free[0]) / 2, (outer[1] + free[1]) / 2];
@@ -162,7 +161,7 @@ export function crewDrawing(model: Model, side: Side, numbers: Map<number, strin
       const isRight = cx >= label.at[0];
       return [svg("rect", { class: "ring", x: cx - half, y: cy - radius, width: 2 * half, height: 2 * radius, rx: radius }),
         text(cx, cy + 0.36 * textHeight, label.number, { class: "number", "text-anchor": "middle" }),
-        text(cx + (isRight ? 1 : -1) * (half + 0.5), cy + 0.36 * textHeight, short(label.name), { "text-anchor": isRight ? "start" : "end" })];
+        text(cx + (isRight ? 1 : -1) * (half + 0.5), cy + 0.36 * textHeight, cut(label.name), { "text-anchor": isRight ? "start" : "end" })];
     }),
     axis(left + 9, below), axis(left + 1, below - 8),
     text(left + 10.5, below + 0.9, axisNames[side.right]), text(left + 0.3, below - 9.5, axisNames[side.up]), text(left + 14, below + 0.9, `seen ${side.seen}`),

@@ -125,6 +125,12 @@ export function indexOf(model: Model, of: "edge" | "node", id: string): number {
   return -1;
 }
 
+/** The edge's ends, first its support; where neither or both are one, in their order. */
+export function endsFromOutside({ ends, isSupport }: Model, edge: number): [outer: number, inner: number] {
+  const [s, t] = [ends[2 * edge]!, ends[2 * edge + 1]!];
+  return isSupport[t] && !isSupport[s] ? [t, s] : [s, t];
+}
+
 function tensionAndStrain(net: NetFile, tension: number[], which: string, key: string): Quantity[] {
   const stiffness = (e: number) => (typeof net.axial_stiffness === "number" ? net.axial_stiffness : net.axial_stiffness[e]!);
   return [

@@ -3,7 +3,7 @@
 
 import { Vector3 } from "three";
 import { linear, palette } from "./colours";
-import type { Model } from "./model";
+import { endsFromOutside, type Model } from "./model";
 
 // Arrows outside the support of each edge to be turned, in line with it, where nothing else is drawn:
 // out of the net to shorten the edge, towards it to lengthen the edge.
@@ -28,8 +28,7 @@ function extentOf(positions: Float32Array): number {
 
 /** The edge's support and the direction out of the net there; where neither end is one, its first node. */
 function outwards(model: Model, positions: Float32Array, edge: number): [Vector3, Vector3] {
-  const [s, t] = [model.ends[2 * edge]!, model.ends[2 * edge + 1]!];
-  const [outer, inner] = model.isSupport[t] && !model.isSupport[s] ? [t, s] : [s, t];
+  const [outer, inner] = endsFromOutside(model, edge);
   const at = new Vector3().fromArray(positions, 3 * outer);
   return [at, at.clone().sub(new Vector3().fromArray(positions, 3 * inner)).normalize()];
 }
