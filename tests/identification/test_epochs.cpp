@@ -200,6 +200,9 @@ TEST(Epochs, NameTheLengthThatChanged) {
             EXPECT_EQ(changes[0].edge, edge);
             EXPECT_NEAR(changes[0].change, change, 5.0 * changes[0].std);
             EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
+            // What was turned is not to be added to the turns.
+            EXPECT_THAT(result.trust.findings.front().reason,
+                        HasSubstr(is_slip ? "changed by " : "is given as turned by "));
             if (is_slip) {
                 EXPECT_THAT(result.trust.findings.front().reason, HasSubstr(net().edge_id(edge)));
             } else {
