@@ -59,6 +59,19 @@ BorderedFactor::Vector BorderedFactor::solve(const Vector& right_side) const {
     return result;
 }
 
+Eigen::MatrixXd BorderedFactor::inverse_at(Eigen::Index node, const Eigen::Matrix3d& inverse,
+                                           const Eigen::Matrix3Xd& at_node,
+                                           const Eigen::MatrixXd& in_border) const {
+    Eigen::MatrixXd rows(3, std::ssize(border));
+    for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+        rows.col(k) = m_columns[static_cast<size_t>(k)].multipliers.col(node);
+    }
+    const Eigen::MatrixXd of_border = m_schur_inverse * in_border;
+    const Eigen::MatrixXd across = at_node.transpose() * rows * of_border;
+    return at_node.transpose() * inverse * at_node + in_border.transpose() * of_border - across -
+           across.transpose();
+}
+
 /// Of a number that is linear in all unknowns, with rates a in those of K and c in those of the
 /// border: the variance is a' Z a + (a' Y - c') C^-1 (Y' a - c).
 void BorderedFactor::add_border(Covariance& covariance) const {

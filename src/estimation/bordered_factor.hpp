@@ -50,6 +50,15 @@ public:
     /// After factorize().
     [[nodiscard]] Vector solve(const Vector& right_side) const;
 
+    /// a' M^-1 a, M the whole matrix, of vectors a with entries at the multipliers of one node
+    /// only, and in the border. After factorize().
+    /// @param inverse over the node's multipliers, of covariance()
+    /// @param at_node 3 x count
+    /// @param in_border unknowns of the border x count
+    [[nodiscard]] Eigen::MatrixXd inverse_at(Eigen::Index node, const Eigen::Matrix3d& inverse,
+                                             const Eigen::Matrix3Xd& at_node,
+                                             const Eigen::MatrixXd& in_border) const;
+
     struct Covariance : SaddlePointFactor::Covariance {
         Eigen::MatrixXd border;  ///< C^-1
     };

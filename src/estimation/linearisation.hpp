@@ -121,8 +121,9 @@ private:
                            const Iterate& iterate, const Observations& observations) const;
     [[nodiscard]] Score score_of(const std::vector<ScoreColumn>& columns) const;
     [[nodiscard]] std::optional<Score> score_at_one_node(
-        int edge, const std::vector<EdgeVariation>& variations, const Covariance& covariance,
-        const Iterate& iterate, const Observations& observations) const;
+        int edge, const std::vector<EdgeVariation>& variations, const Score& of_survey,
+        const Eigen::MatrixXd& in_border, const Covariance& covariance, const Iterate& iterate,
+        const Observations& observations) const;
 
     std::shared_ptr<const StaticsModel> m_model;
     std::unique_ptr<BorderedFactor> m_matrix;

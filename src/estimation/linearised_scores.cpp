@@ -57,11 +57,15 @@ Linearisation::Score Linearisation::score_of(const std::vector<ScoreColumn>& col
     return result;
 }
 
-/// The same of numbers that change an edge with one free node and nothing else: all entries are
-/// multipliers of that node, for which the inverse is known. Nothing for other edges.
+/// The same of numbers that change an edge with one free node and nothing else but the survey: all
+/// entries are multipliers of that node, for which the inverse is known, or in the border. Nothing
+/// for other edges.
+/// @param of_survey the score by the survey of what the numbers move
+/// @param in_border its entries there (border x numbers)
 std::optional<Linearisation::Score> Linearisation::score_at_one_node(
-    int edge, const std::vector<EdgeVariation>& variations, const Covariance& covariance,
-    const Iterate& iterate, const Observations& observations) const {
+    int edge, const std::vector<EdgeVariation>& variations, const Score& of_survey,
+    const Eigen::MatrixXd& in_border, const Covariance& covariance, const Iterate& iterate,
+    const Observations& observations) const {
     const auto [s, t] = m_model->numbering().local.edges[edge];
     const int node = std::min(s, t);
     const int free_count = m_model->numbering().local.free_count;
@@ -75,8 +79,10 @@ std::optional<Linearisation::Score> Linearisation::score_at_one_node(
     for (Eigen::Index k = 0; k < forces.cols(); ++k) {
         forces.col(k) = sign * m_multiplier_unit * e.force_by(variations[k]);
     }
-    return Score{.gradient = -forces.transpose() * m_multipliers.col(node),
-                 .information = -forces.transpose() * covariance.multipliers[node] * forces};
+    return Score{
+        .gradient = of_survey.gradient - forces.transpose() * m_multipliers.col(node),
+        .information = of_survey.information -
+                       m_matrix->inverse_at(node, covariance.multipliers[node], forces, in_border)};
 }
 
 Linearisation::ScoreColumn Linearisation::empty_score_column() const {
@@ -90,7 +96,11 @@ Linearisation::Score Linearisation::score_of_edge(int edge, const Covariance& co
                                                   const Iterate& iterate,
                                                   const Observations& observations) const {
     const EdgeVariation longer{.length = 1.0};
-    if (auto score = score_at_one_node(edge, {longer}, covariance, iterate, observations)) {
+    const Score of_survey{.gradient = Eigen::VectorXd::Zero(1),
+                          .information = Eigen::MatrixXd::Zero(1, 1)};
+    if (auto score = score_at_one_node(edge, {longer}, of_survey,
+                                       Eigen::MatrixXd::Zero(m_model->common.count(), 1),
+                                       covariance, iterate, observations)) {
         return *std::move(score);
     }
     ScoreColumn column = empty_score_column();
@@ -107,14 +117,19 @@ Linearisation::Score Linearisation::score_of_support(int node, const std::vector
         return {.motion = sign * Eigen::Vector3d::Unit(k)};
     };
     const Eigen::Matrix3d weight = observations.weight(node);
-    if (edges.size() == 1 && weight.isZero()) {
+    const Eigen::Vector3d misfit = observations.form.col(node) - iterate.form.col(node);
+    Eigen::MatrixXd in_border(m_model->common.count(), 3);
+    for (int i = 0; i < m_model->common.count(); ++i) {
+        in_border.row(i) = weight * m_model->common.support_rate(i, node);
+    }
+    if (edges.size() == 1) {
         const auto along = [&](int k) { return variation_of(edges[0], k); };
-        if (auto score = score_at_one_node(edges[0], {along(0), along(1), along(2)}, covariance,
-                                           iterate, observations)) {
+        const Score of_survey{.gradient = weight * misfit, .information = weight};
+        if (auto score = score_at_one_node(edges[0], {along(0), along(1), along(2)}, of_survey,
+                                           in_border, covariance, iterate, observations)) {
             return *std::move(score);
         }
     }
-    const Eigen::Vector3d misfit = observations.form.col(node) - iterate.form.col(node);
     std::vector<ScoreColumn> columns;
     for (int k = 0; k < 3; ++k) {
         ScoreColumn& column = columns.emplace_back(empty_score_column());
@@ -124,9 +139,7 @@ Linearisation::Score Linearisation::score_of_support(int node, const std::vector
         column.surveyed_rates(k, node) = 1.0;
         column.pulls.col(node) = weight.col(k);
         column.misfit += weight.col(k).dot(misfit);
-        for (int i = 0; i < m_model->common.count(); ++i) {
-            column.entries.border(i) += weight.col(k).dot(m_model->common.support_rate(i, node));
-        }
+        column.entries.border += in_border.col(k);
     }
     return score_of(columns);
 }
