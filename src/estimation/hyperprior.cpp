@@ -158,10 +158,18 @@ std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places
     return nodes;
 }
 
-PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
+namespace {
+
+/// Log evidence of the scale of a normal prior, with its hyperprior, on a grid of logarithms.
+struct ScaleEvidence {
+    Eigen::VectorXd grid;
+    Eigen::VectorXd log;
+};
+
+/// (hyperprior)
+ScaleEvidence scale_evidence(const Hyperprior& hyperprior, LinearisedFit fitted,
                              const Observations& observations, const std::vector<bool>& left_out,
-                             const LengthPrior& fit_prior, const FoundScale& scale,
-                             const PriorLikelihood& shapes) {
+                             const LengthPrior& fit_prior, const FoundScale& scale) {
     const double centre = std::log(hyperprior.centre.std());
     double middle = centre;
     double half_width = grid_reach * hyperprior.log_std;
@@ -174,45 +182,61 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
         middle = (of_prior * centre + of_survey * found) / (of_prior + of_survey);
         half_width = reach_found * scale.std;
     }
-    const Eigen::VectorXd grid =
-        Eigen::VectorXd::LinSpaced(places, middle - half_width, middle + half_width);
-    Eigen::VectorXd evidence;
+    ScaleEvidence result{
+        .grid = Eigen::VectorXd::LinSpaced(places, middle - half_width, middle + half_width),
+        .log = {}};
     if (is_found && scale.std < surely_normal) {
-        evidence = -0.5 * ((grid.array() - found) / scale.std).square();
+        result.log = -0.5 * ((result.grid.array() - found) / scale.std).square();
     } else {
-        evidence = evidence_by_scores(grid, std::move(fitted), observations, left_out);
+        result.log = evidence_by_scores(result.grid, std::move(fitted), observations, left_out);
     }
-    if (evidence.size() == 0) {
-        evidence = Eigen::VectorXd::Zero(places);
+    if (result.log.size() == 0) {
+        result.log = Eigen::VectorXd::Zero(places);
     }
-    evidence.array() -= 0.5 * ((grid.array() - centre) / hyperprior.log_std).square();
+    result.log.array() -= 0.5 * ((result.grid.array() - centre) / hyperprior.log_std).square();
+    return result;
+}
 
+/// Posterior of scale (rows) and of the two shapes (columns), up to a factor.
+Eigen::MatrixXd posterior_of(const Hyperprior& hyperprior, const ScaleEvidence& evidence,
+                             const std::array<LengthPrior::Kind, 2>& kinds, const FoundScale& scale,
+                             const PriorLikelihood& shapes) {
     // A composite likelihood of correlated lengths, raised to the square of their relative
     // redundancy; the power is by trial.
     const double redundancy = scale.std > 0.0 ? 0.5 / (scale.std * scale.std) : 0.0;
     const double power = std::pow(std::min(1.0, redundancy / std::max(1, shapes.count())), 2);
-    const LengthPrior::Kind other = hyperprior.centre.kind == LengthPrior::Kind::bimodal
-                                        ? LengthPrior::Kind::bimodal
-                                        : LengthPrior::Kind::normal;
-    const std::array<LengthPrior::Kind, 2> kinds{LengthPrior::Kind::uniform, other};
     Eigen::MatrixXd log_posterior(places, 2);
     for (Eigen::Index k = 0; k < places; ++k) {
-        const double std = std::exp(grid(k));
+        const double std = std::exp(evidence.grid(k));
         const double of_normal = shapes(of_std(LengthPrior::Kind::normal, std));
         for (Eigen::Index j = 0; j < 2; ++j) {
             const double probability =
                 j == 0 ? hyperprior.uniform_probability : 1.0 - hyperprior.uniform_probability;
             log_posterior(k, j) =
-                std::log(probability) + evidence(k) +
+                std::log(probability) + evidence.log(k) +
                 power * (shapes(of_std(kinds[static_cast<size_t>(j)], std)) - of_normal);
         }
     }
-    const Eigen::MatrixXd posterior =
-        (log_posterior.array() - log_posterior.maxCoeff()).exp().matrix();
+    return (log_posterior.array() - log_posterior.maxCoeff()).exp().matrix();
+}
+
+}  // namespace
+
+PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
+                             const Observations& observations, const std::vector<bool>& left_out,
+                             const LengthPrior& fit_prior, const FoundScale& scale,
+                             const PriorLikelihood& shapes) {
+    const ScaleEvidence evidence =
+        scale_evidence(hyperprior, std::move(fitted), observations, left_out, fit_prior, scale);
+    const LengthPrior::Kind other = hyperprior.centre.kind == LengthPrior::Kind::bimodal
+                                        ? LengthPrior::Kind::bimodal
+                                        : LengthPrior::Kind::normal;
+    const std::array<LengthPrior::Kind, 2> kinds{LengthPrior::Kind::uniform, other};
+    const Eigen::MatrixXd posterior = posterior_of(hyperprior, evidence, kinds, scale, shapes);
     const double sum = posterior.sum();
 
     PriorEstimate result{.given = hyperprior.centre, .exact = false};
-    const Eigen::VectorXd stds = grid.array().exp();
+    const Eigen::VectorXd stds = evidence.grid.array().exp();
     const auto [mean, std_of_std] = moments_of(stds, posterior.rowwise().sum());
     result.std = mean;
     result.std_std = std_of_std;
@@ -223,9 +247,9 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
         if (probability < improbable) {
             continue;
         }
-        const double spread = moments_of(grid, posterior.col(j)).std;
+        const double spread = moments_of(evidence.grid, posterior.col(j)).std;
         const int count = spread < one_node_does ? 1 : (spread < two_nodes_do ? 2 : 3);
-        for (const auto& [place, weight] : gauss_nodes(grid, posterior.col(j), count)) {
+        for (const auto& [place, weight] : gauss_nodes(evidence.grid, posterior.col(j), count)) {
             result.nodes.push_back(
                 {.prior = rounded(of_std(kinds[static_cast<size_t>(j)], std::exp(place))),
                  .weight = weight * probability});
