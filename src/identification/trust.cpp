@@ -9,9 +9,11 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 
+#include "identification/net_balance.hpp"
 #include "net/rounded_length.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/units.hpp"
@@ -175,6 +177,7 @@ public:
             test_uncertain();
         }
         test_draws();
+        test_net();
         std::ranges::stable_sort(m_trust.findings, std::greater{}, &Finding::severity);
         return std::move(m_trust);
     }
@@ -704,6 +707,51 @@ private:
         }
     }
 
+    /// Whether the survey contradicts something at a node or at those next to it.
+    [[nodiscard]] bool is_contradicted_near(int node) const {
+        const std::span<const int> neighbours = m_net.neighbours(node);
+        const auto is_near = [&](int other) {
+            return other == node || std::ranges::find(neighbours, other) != neighbours.end();
+        };
+        const auto is_edge_near = [&](int edge) {
+            const auto [s, t] = m_net.edges()[static_cast<size_t>(edge)];
+            return is_near(s) || is_near(t);
+        };
+        return std::ranges::any_of(m_result.outliers, is_near, &Outlier::node) ||
+               std::ranges::any_of(m_result.length_outliers, is_edge_near, &LengthOutlier::edge) ||
+               std::ranges::any_of(m_result.boundary_outliers, [&](const BoundaryOutlier& one) {
+                   return one.kind == BoundaryOutlier::Kind::support ? is_near(one.index)
+                                                                     : is_edge_near(one.index);
+               });
+    }
+
+    /// A cable that the net lacks looks as if those beside it were wrong.
+    void test_net() {
+        const std::optional<NetImbalance> found = local_imbalance(m_net);
+        if (!found) {
+            return;
+        }
+        const bool is_contradicted = m_result.status != IdentificationStatus::converged ||
+                                     m_result.boundary_not_released > 0 ||
+                                     std::ranges::any_of(found->nodes, [this](int node) {
+                                         return is_contradicted_near(node);
+                                     });
+        // What is contradicted elsewhere may follow from it.
+        Finding finding{.kind = FindingKind::net_balance,
+                        .severity = is_contradicted ? Verdict::failed : m_trust.verdict(),
+                        .value = found->share};
+        for (const int node : found->nodes) {
+            finding.ids.push_back(m_net.node_id(node));
+        }
+        finding.reason = fmt::format(
+            "The net as given is in equilibrium but at {} {}, where up to {:.2g} N, {:.2g} times "
+            "the mean tension, are out of balance.{}",
+            finding.ids.size() == 1 ? "node" : "nodes", and_more(finding.ids), found->largest,
+            found->share, is_contradicted ? " The survey contradicts it there." : "");
+        finding.next = "Check whether a cable or a load is missing there.";
+        add(std::move(finding));
+    }
+
     const CableNet& m_net;
     const Survey& m_survey;
     const Identification& m_result;
@@ -741,6 +789,7 @@ constexpr std::pair<FindingKind, std::string_view> kind_names[] = {
     {FindingKind::actuator_std, "actuator_std"},
     {FindingKind::epoch, "epoch"},
     {FindingKind::repeated_survey, "repeated_survey"},
+    {FindingKind::net_balance, "net_balance"},
     {FindingKind::other, "other"},
 };
 

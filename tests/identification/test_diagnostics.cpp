@@ -17,6 +17,7 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/net/cable_runs.hpp"
+#include "taut/statics/equilibrium.hpp"
 
 namespace of_diagnostics {
 
@@ -332,6 +333,73 @@ TEST(Diagnostics, OfAPriorThatIsTooWideIsNone) {
 }
 
 /// What a passed check means: errors of the size that it would have found are found as often.
+/// The net with one more cable between two of its nodes, in equilibrium.
+CableNet with_another_cable(int from, int to) {
+    CableNetData data = net().data();
+    const Eigen::Index edges = net().edge_count();
+    const auto append = [&](Eigen::VectorXd& values, double value) {
+        if (values.size() > 0) {
+            values.conservativeResize(edges + 1);
+            values(edges) = value;
+        }
+    };
+    data.edges.push_back({from, to});
+    data.edge_ids.clear();
+    constexpr double strain = 0.02;
+    append(data.unstressed_lengths,
+           (data.nodes.col(from) - data.nodes.col(to)).norm() / (1.0 + strain));
+    append(data.axial_stiffness, data.axial_stiffness.mean());
+    append(data.mass, 0.0);
+    append(data.expansion, 0.0);
+    append(data.breaking_load, 1e6);
+    data.nodes = solve_equilibrium(CableNet(data)).form;
+    return CableNet(std::move(data));
+}
+
+CableNet without_last_cable(const CableNet& whole) {
+    CableNetData data = whole.data();
+    data.edges.pop_back();
+    const Eigen::Index edges = std::ssize(data.edges);
+    for (Eigen::VectorXd* values : {&data.unstressed_lengths, &data.axial_stiffness, &data.mass,
+                                    &data.expansion, &data.breaking_load}) {
+        values->conservativeResize(values->size() > 0 ? edges : 0);
+    }
+    return CableNet(std::move(data));
+}
+
+TEST(Diagnostics, OfACableThatTheNetLacksNamesItsNodes) {
+    const std::vector<int>& free = net().free_nodes();
+    for (const auto& [from, to] : {std::pair(free[20], free[50]), std::pair(free[10], free[200])}) {
+        const CableNet built = with_another_cable(from, to);
+        const CableNet given = without_last_cable(built);
+        const SimulatedSurvey s = survey_of(built, prior, 1);
+        IdentifyOptions options;
+        options.prior = prior;
+        options.assume_site = true;
+        const Identification result = identify(given, s.survey, options);
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
+        EXPECT_TRUE(finds(result, Kind::net_balance, {given.node_id(from), given.node_id(to)}));
+        EXPECT_FALSE(finds(identify(built, s.survey, options), Kind::net_balance));
+    }
+}
+
+/// A load that the drawn form does not carry yet is no fault.
+TEST(Diagnostics, PassesANetDrawnWithoutOneOfItsLoads) {
+    CableNetData data = net().data();
+    const int node = net().free_nodes()[30];
+    if (data.loads.cols() == 0) {
+        data.loads = Points::Zero(3, net().node_count());
+    }
+    data.loads(2, node) -= 1500.0;
+    const CableNet loaded(std::move(data));
+    const SimulatedSurvey s = survey_of(loaded, prior, 1);
+    IdentifyOptions options;
+    options.prior = prior;
+    const Identification result = identify(loaded, s.survey, options);
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed) << result.trust.findings[0].reason;
+    EXPECT_TRUE(finds(result, Kind::net_balance, {loaded.node_id(node)}));
+}
+
 TEST(Diagnostics, FindsErrorsOfTheSizeThatItNames) {
     constexpr int surveys = 60;
     const CableNet saddle = hypar(7, 7);

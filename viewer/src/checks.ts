@@ -51,6 +51,7 @@ const kinds: Record<Finding["kind"], { name: string; of?: "edge" | "node"; scale
   actuator_std: { name: "Excess actuator std", scale: mm },
   epoch: { name: "Epoch", scale: timesChance },
   repeated_survey: { name: "Repeated survey", scale: timesChance },
+  net_balance: { name: "Net out of balance", of: "node", scale: { unit: "times the mean tension", factor: 1 } },
   other: { name: "Finding" },
 };
 

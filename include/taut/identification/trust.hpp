@@ -63,6 +63,7 @@ struct TAUT_CORE_EXPORT Trust {
             actuator_std,          ///< of the turns, besides the one given [m]
             epoch,                 ///< change of the lengths between two surveys over the expected
             repeated_survey,       ///< difference of two surveys' errors over the expected
+            net_balance,           ///< force out of balance at a node over the mean tension
             other,                 ///< read from a result of an earlier version, without a kind
         };
         Kind kind = Kind::no_convergence;    ///< what this is about
