@@ -286,6 +286,17 @@ bool EpochChain::find_changes(const Progress& progress) {
 void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges) {
     Changes& changes = m_changes[k];
     std::optional<LengthChange> worst = worst_change(test.changes(), edges);
+    if (worst && k > 0 && m_states[k].turned->size() > 1) {
+        // A wrong sign, unit or pitch explains all at once.
+        set_stroke_factor(changes, test, *m_states[k].turned);
+        Agreement rest = test.agreement();
+        rest.squares = std::max(0.0, rest.squares - std::pow(changes.stroke_factor_statistic(), 2));
+        --rest.rank;
+        if (changes.stroke_factor_statistic() > worst->statistic && rest.ratio() <= rest.limit()) {
+            changes.agreement = test.agreement();
+            return;
+        }
+    }
     while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
         changes.lengths.push_back(*worst);
         add_variance(k, worst->edge, width_of(*worst));

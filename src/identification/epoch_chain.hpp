@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +41,15 @@ public:
         /// EpochResult::stroke_factor
         double stroke_factor = 1.0;
         double stroke_factor_std = 0.0;
+
+        /// By how many of its standard deviations the factor is not 1.
+        [[nodiscard]] double stroke_factor_statistic() const {
+            return stroke_factor_std > 0.0 ? std::abs(stroke_factor - 1.0) / stroke_factor_std
+                                           : 0.0;
+        }
+        [[nodiscard]] bool are_strokes_off() const {
+            return stroke_factor_statistic() > significant_std;
+        }
     };
 
     /// @param prior of the interior edges' length deviations

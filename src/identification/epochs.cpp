@@ -29,8 +29,36 @@ using FindingKind = Trust::Finding::Kind;
 /// A survey whose changes exceed the expected ones by this factor contradicts the others.
 constexpr double far_too_much = 1.5;
 
-bool goes_with_epochs(const UncertainParameter& parameter) {
-    return is_common(parameter) || parameter.kind == UncertainParameter::Kind::adjustable;
+using Kind = UncertainParameter::Kind;
+
+/// Whether every survey has its own in the chain, though all surveys have the same.
+bool is_of_each_survey(const UncertainParameter& parameter) {
+    return parameter.kind == Kind::supports || parameter.kind == Kind::loads_each;
+}
+
+/// (epoch-own)
+IdentifyOptions for_sum(const CableNet& net, IdentifyOptions options, size_t surveys) {
+    const double widest_support = net.unstressed_lengths().minCoeff() / 3.0;  // may be uncertain
+    for (UncertainParameter& one : options.uncertain) {
+        if (is_of_each_survey(one)) {
+            one.std *= std::sqrt(static_cast<double>(surveys));
+        }
+        if (one.kind == Kind::supports) {
+            one.std = std::min(one.std, widest_support);
+        }
+    }
+    return options;
+}
+
+void name_given_widths(Identification& result, const std::vector<UncertainParameter>& given) {
+    for (ParameterEstimate& estimate : result.uncertain) {
+        UncertainParameter& parameter = estimate.parameter;
+        for (const UncertainParameter& one : given) {
+            if (one.kind == parameter.kind && one.group == parameter.group) {
+                parameter.std = one.std;
+            }
+        }
+    }
 }
 
 /// Two surveys of which most targets agree to the last digit are one, counted twice.
@@ -70,14 +98,6 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
         throw std::invalid_argument(
             fmt::format("the net has {} interior edges, expected at most {} for several surveys",
                         net.interior_edge_count(), most_edges_of_epochs));
-    }
-    for (const UncertainParameter& parameter : options.uncertain) {
-        if (!goes_with_epochs(parameter)) {
-            throw std::invalid_argument(fmt::format(
-                "the uncertain parameter {} is for one survey, not for several: it would be shared "
-                "by all of them",
-                parameter.to_string()));
-        }
     }
     if (!epochs.front().turned.empty()) {
         throw std::invalid_argument("nothing can be turned before the first survey");
@@ -121,6 +141,12 @@ std::string contradiction_text(size_t before, double ratio) {
     return fmt::format(
         "Between surveys {} and {} the lengths changed {:.2g} times as much as chance allows.",
         before, before + 1, ratio);
+}
+
+std::string strokes_text(size_t before, double factor, double std) {
+    return fmt::format(
+        "Between surveys {} and {} all edges were turned {:.3f} +- {:.3f} times as far as given.",
+        before, before + 1, factor, std);
 }
 
 std::string change_text(const LengthChange& change) {
@@ -179,20 +205,20 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
                                        .value = epoch.change_ratio,
                                        .reason = contradiction_text(k, epoch.change_ratio),
                                        .next = what_to_check};
-    if (is_significant && epoch.change_ratio > far_too_much) {
+    const bool are_strokes_off =
+        std::abs(epoch.stroke_factor - 1.0) > significant_std * epoch.stroke_factor_std;
+    if (is_significant && epoch.change_ratio > far_too_much && !are_strokes_off) {
         trust.findings.push_back(contradiction);
         trust.findings.back().severity = Verdict::failed;
         return;
     }
-    if (std::abs(epoch.stroke_factor - 1.0) > significant_std * epoch.stroke_factor_std) {
+    if (are_strokes_off) {
         trust.findings.push_back(
             {.kind = FindingKind::turns,
              .severity = Verdict::failed,
              .value = epoch.stroke_factor,
              .std = epoch.stroke_factor_std,
-             .reason =
-                 fmt::format("{} all edges were turned {:.3f} +- {:.3f} times as far as given.",
-                             between, epoch.stroke_factor, epoch.stroke_factor_std),
+             .reason = strokes_text(k, epoch.stroke_factor, epoch.stroke_factor_std),
              .next = "Check the sign and unit of what was turned, and the length of a turn."});
     }
     for (const LengthChange& change : epoch.changes) {
@@ -261,10 +287,9 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
                                     const IdentifyOptions& alone, std::vector<double>& scales,
                                     const Progress& progress) {
     IdentifyOptions of_form = alone;
-    if (std_of(alone.uncertain, UncertainParameter::Kind::adjustable) == 0.0 &&
-        !net.adjustable_edges().empty()) {
+    if (std_of(alone.uncertain, Kind::adjustable) == 0.0 && !net.adjustable_edges().empty()) {
         of_form.uncertain.push_back(
-            {.kind = UncertainParameter::Kind::adjustable, .std = widest_turn(net), .group = {}});
+            {.kind = Kind::adjustable, .std = widest_turn(net), .group = {}});
     }
     std::vector<Epoch> result(epochs.begin(), epochs.end());
     for (size_t k = 0; k < epochs.size(); ++k) {
@@ -323,7 +348,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         on_site.uncertain = with_site_assumptions(net, options.uncertain);
         // How far turns differ from those given the surveys show: the chain estimates it.
         std::erase_if(on_site.uncertain, [&](const UncertainParameter& one) {
-            return (!goes_with_epochs(one) || one.kind == UncertainParameter::Kind::adjustable) &&
+            return one.kind == Kind::adjustable &&
                    std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
         Identification result = identify_epochs(net, epochs, on_site, progress);
@@ -351,6 +376,13 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     Identification result;
     for (int k = 0; k <= last && result.status == IdentificationStatus::converged; ++k) {
         const EpochChain::Changes& changes = each.changes()[k];
+        if (changes.are_strokes_off() && changes.lengths.empty()) {
+            result = each.found(last);
+            result.status = IdentificationStatus::survey_does_not_fit;
+            result.message = fmt::format(
+                "{} {}", strokes_text(k, changes.stroke_factor, changes.stroke_factor_std),
+                what_to_check);
+        }
         if (are_too_many_changes(net, changes.lengths.size())) {
             result = each.found(last);
             result.status = IdentificationStatus::survey_does_not_fit;
@@ -367,12 +399,14 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     }
     Trust together;
     if (result.status == IdentificationStatus::converged) {
-        EpochChain chain(net, scaled, options, prior, 0.0, each.changes());
+        const IdentifyOptions to_add = for_sum(net, options, epochs.size());
+        EpochChain chain(net, scaled, to_add, prior, 0.0, each.changes());
         const std::optional<double> movement = chain.converge(progress);
         if (movement) {
             result = identify_by_maximum_a_posteriori(
                 chain.net_at(last), scaled.back().survey, chain.given(last), {},
                 {.count = options.draws, .seed = options.seed}, progress);
+            name_given_widths(result, options.uncertain);
             add_repeats(together, chain);
         } else {
             result = chain.found(last);

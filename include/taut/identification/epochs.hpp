@@ -47,9 +47,7 @@ inline constexpr int most_edges_of_epochs = 3000;
 /// @return result for the net at the last survey, turned_net(net, result.turned); `epochs` has
 ///   each survey
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
-///   interior edges than most_edges_of_epochs, uncertain parameters of single supports, edges or
-///   nodes (supports, stiffness-each, loads in newtons), a method that is not map, and
-///   covariance_of
+///   interior edges than most_edges_of_epochs, a method that is not map, and covariance_of
 /// @throws std::runtime_error where the net as turned finds no equilibrium
 /// @throws EpochError where identify() throws SurveyError; for an exact survey, and one given
 ///   twice
