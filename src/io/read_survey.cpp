@@ -139,8 +139,8 @@ std::string lines_text(const std::vector<SurveyPoint*>& points) {
 }
 
 /// Where some points have standard deviations, a point without, or with one of 0, was cut or
-/// mistyped and would count as exact. It takes the noise of the options. Where no point has any
-/// above 0, all count as without.
+/// mistyped and would count as exact. It takes the noise of the options, which is not used where
+/// all have their own. Where no point has any above 0, all count as without.
 /// @throws SurveyError with the first line, where no noise was given
 void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
     const double noise_std = options.noise_std.value_or(0.0);
@@ -153,6 +153,16 @@ void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
                               point.noise_std->isZero(0.0);
         if (!has_whole_std(point) && (has_any || point.noise_std) && !is_known) {
             without.push_back(&point);
+        }
+    }
+    if (without.empty() && has_any && noise_std > 0.0) {
+        const bool is_the_same = std::ranges::all_of(found.points, [&](const SurveyPoint& point) {
+            return !point.noise_std || (point.noise_std->array() == noise_std).all();
+        });
+        if (!is_the_same) {
+            found.warnings.push_back(
+                fmt::format("gives standard deviations of its own: the noise of {} is not used",
+                            format_length(noise_std)));
         }
     }
     if (without.empty() || (!has_any && noise_std == 0.0)) {

@@ -276,6 +276,17 @@ TEST_F(IncompleteStd, TakesTheNoiseThatIsGivenAndSaysWhere) {
     }
 }
 
+TEST_F(IncompleteStd, OfNoPointLeavesTheNoiseUnusedAndSaysSo) {
+    const std::string own = table("", [](int node, double x, double y, double z) {
+        return fmt::format("{},{:.6f},{:.6f},{:.6f},0.0005,0.0005,0.0005", node, x, y, z);
+    });
+    const auto warnings = [&](double noise_std) {
+        return read(own, "a.csv", {.noise_std = noise_std}).warnings;
+    };
+    EXPECT_THAT(warnings(1e-3), ElementsAre(HasSubstr("the noise of 1mm is not used")));
+    EXPECT_THAT(warnings(0.5e-3), IsEmpty());
+}
+
 // Points of a table, an array or another program's memory.
 TEST_F(ReadSurvey, TakesPointsThatComeFromNoFile) {
     std::vector<SurveyPoint> points;
