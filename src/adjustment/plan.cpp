@@ -496,7 +496,13 @@ Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits&
         throw FailedIdentification(
             fmt::format("the identification failed its checks: {}", built.failed_because));
     }
-    return Planning(built, target, limits, options, progress).make();
+    // Only their ratios count: beside the deviations stands (turning_weight) what turning costs.
+    const std::vector<int>& free = built.net.free_nodes();
+    const double largest = std::max(target.normal_weights()(free).maxCoeff(),
+                                    target.tangential_weights()(free).maxCoeff());
+    FormTarget relative = target;
+    relative.set_weights(target.normal_weights() / largest, target.tangential_weights() / largest);
+    return Planning(built, relative, limits, options, progress).make();
 }
 
 }  // namespace taut

@@ -217,6 +217,25 @@ TEST(Plan, MinimisesTheLargestDeviationIfAskedTo) {
     EXPECT_LT(few.strokes.size(), largest.strokes.size());
 }
 
+TEST(Plan, DependsOnlyOnRatiosOfWeights) {
+    const CableNet net = hypar(5, 5);
+    const BuiltNet built = random_built(net, 6, 3e-3);
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const auto plan_with = [&](double unit) {
+        return plan_strokes(
+            built, FormTarget(net, net.nodes(), {.normal = 2.0 * unit, .tangential = 0.5 * unit}),
+            limits);
+    };
+    const Plan plan = plan_with(1.0);
+    for (const double unit : {1e-6, 1e6}) {
+        const Plan other = plan_with(unit);
+        ASSERT_EQ(other.strokes.size(), plan.strokes.size());
+        for (size_t i = 0; i < plan.strokes.size(); ++i) {
+            EXPECT_NEAR(other.strokes[i].stroke, plan.strokes[i].stroke, 1e-9);
+        }
+    }
+}
+
 TEST(Plan, HasTheLeastViolationWhereLimitsCannotBeKept) {
     const CableNet net = hypar(4, 4);
     const BuiltNet built = random_built(net, 1, 2e-3);

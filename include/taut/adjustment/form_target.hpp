@@ -43,7 +43,7 @@ struct GivenTarget {
 };
 
 /// Target place and normal of each free node. A node without normal (of a single cable, say) has
-/// the weight `normal` in all directions.
+/// the weight `normal` in all directions. For plans only the ratios of weights count.
 ///
 /// On a target surface a node may reach any point. Its normal n is that of the surface at the
 /// nearest point c. Its place is where the line along n through its designed place q meets the
