@@ -109,6 +109,10 @@ void bind_gp(nb::module_& module) {
                      "By low rank: bound of what the mean is off from the exact one with the same "
                      "hyperparameters, root mean square over the training inputs; else 0 (m,). "
                      "Standard deviations and leave-one-out errors contain it.")
+        .def_ro("decompositions", &gp::FittedProcesses::decompositions,
+                "Made in the search for length scales; 0 of a model that was read.")
+        .def_ro("is_converged", &gp::FittedProcesses::is_converged,
+                "Whether that search ended before max_spectra.")
         .def_prop_ro("rank", &gp::FittedProcesses::rank,
                      "Directions of the kernel matrix that were kept; None where all are.")
         .def_prop_ro(

@@ -9,8 +9,11 @@ decomposition, so that each length scale costs one.
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
+from sklearn.exceptions import ConvergenceWarning
 from sklearn.utils import check_random_state
 from sklearn.utils.validation import check_is_fitted, validate_data
 
@@ -31,7 +34,8 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
     Args:
         relative_tolerance: the search for length scales ends when no output is expected to gain
             more than this, relative to its log likelihood.
-        max_spectra: decompositions that all outputs share, at most. Each takes O(n^3).
+        max_spectra: decompositions that all outputs share, at most. Each takes O(n^3). Where they
+            end the search a ConvergenceWarning says so.
         most_decomposed: samples that are decomposed, at most. With more of them processes are
             fitted by low rank, in O(n^2 rank) and without any n x n matrix, with length scales
             found from so many samples, or 2000.
@@ -41,6 +45,7 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         length_scale_, signal_std_, noise_std_: hyperparameters of each output (m,); 0 where an
             output is constant. The kernel is signal_std^2 exp(-|x - x'|^2 / (2 length_scale^2)).
         log_marginal_likelihood_: of each output (m,).
+        n_iter_: decompositions that were made.
         leave_one_out_rmse_: of each output (m,), of predictions at each input, trained without it.
         rank_: directions that were kept; None where samples were decomposed.
         left_out_: part of the kernel matrix, of its trace, that they leave out. Where it is larger
@@ -53,7 +58,7 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def __init__(
         self,
         relative_tolerance: float = 1e-7,
-        max_spectra: int = 12,
+        max_spectra: int = 200,
         most_decomposed: int = 3000,
         rank: int = 1500,
     ):
@@ -78,6 +83,14 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
             most_decomposed=self.most_decomposed,
             rank=self.rank,
         )
+        self.n_iter_ = self._processes.decompositions
+        if not self._processes.is_converged:
+            warnings.warn(
+                f"the search for length scales ended after max_spectra={self.max_spectra} "
+                "decompositions, where outputs could still gain likelihood",
+                ConvergenceWarning,
+                stacklevel=2,
+            )
         with np.errstate(divide="ignore"):
             scale = 1.0 / self._processes.inverse_length_scale
         self.length_scale_ = np.where(np.isfinite(scale), scale, 0.0)
@@ -97,15 +110,20 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def _shaped(self, values):
         return values[:, 0] if self._is_flat else values
 
-    def predict(self, X, return_std=False):
-        """Mean at X (k, d): (k,) or (k, m); and the standard deviation of the latent function."""
-        mean, std = self._processes_of(X)
-        mean = self._shaped(mean + self._mean)
-        return (mean, self._shaped(std)) if return_std else mean
+    def predict(self, X, return_std=False, return_cov=False):
+        """Mean at X (k, d): (k,) or (k, m), of the latent function.
 
-    def _processes_of(self, X):
+        With its standard deviation in the same shape, or its covariance (k, k) or (k, k, m).
+        """
+        if return_std and return_cov:
+            raise RuntimeError("expected at most one of return_std and return_cov")
         inputs = self._inputs(X)
-        return self._processes.predict(inputs)
+        mean, std = self._processes.predict(inputs)
+        mean = self._shaped(mean + self._mean)
+        if return_cov:
+            of_each = [self._processes.covariance(k, inputs) for k in range(len(self._mean))]
+            return mean, of_each[0] if self._is_flat else np.stack(of_each, axis=-1)
+        return (mean, self._shaped(std)) if return_std else mean
 
     def sample_y(self, X, n_samples=1, random_state=0):
         """Samples of the latent functions: (k, n_samples), or (k, m, n_samples)."""

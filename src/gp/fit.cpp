@@ -158,6 +158,8 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         is_decomposed ? search_lambdas(distances, to_fit.values, search, progress)
                       : search_by_low_rank(inputs, to_fit.values, part, distances, search,
                                            std::min<Eigen::Index>(settings.rank, n), progress);
+    result.decompositions = found.decompositions;
+    result.is_converged = found.is_converged;
     const std::vector<std::vector<Eigen::Index>> members = members_of(found);
     for (auto& [log_lambda, spectrum] : found.spectra) {
         result.spectra.push_back(std::move(spectrum));

@@ -55,17 +55,19 @@ void FoundLambdas::forget_unused() {
 FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
                             const Eigen::MatrixXd& outputs, const LambdaSearchSettings& settings,
                             const Progress& progress) {
-    FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols()), .spectra = {}};
+    FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols()), .is_converged = false};
     LengthScaleSearch points(outputs.cols(), settings.lower_log_lambda, settings.upper_log_lambda,
                              settings.relative_tolerance);
     for (int made = 0; made < settings.max_spectra;) {
         const auto looks = points.next(std::min(lambdas_together, settings.max_spectra - made));
         if (looks.empty()) {
+            found.is_converged = true;
             break;
         }
         for (size_t k = 0; k < looks.size(); ++k) {
             progress("training", made++, settings.max_spectra);
         }
+        found.decompositions = made;
         const bool is_last = made == settings.max_spectra;  // no slope will be asked for
         const std::vector<size_t> mine = share_of(looks.size());
         std::vector<Seen> seen(mine.size());

@@ -36,7 +36,9 @@ void keep_better(std::vector<BestLambda>& best, double log_lambda,
 /// Result of a search: the best of each output, and their spectra, by log lambda.
 struct FoundLambdas {
     std::vector<BestLambda> best;
-    std::map<double, KernelSpectrum> spectra;
+    std::map<double, KernelSpectrum> spectra = {};
+    int decompositions = 0;
+    bool is_converged = true;  ///< FittedProcesses
 
     /// Drops the spectra that are the best of no output.
     void forget_unused();

@@ -37,9 +37,10 @@ std::vector<double> best_few(const std::map<double, Eigen::VectorXd>& values) {
 }
 
 /// The lambdas that are best for the outputs on a part of the inputs.
+/// @param search gets how it went
 std::vector<double> log_lambdas_of_part(const Eigen::MatrixXd& squared_distances,
                                         const Eigen::MatrixXd& outputs,
-                                        const LambdaSearchSettings& settings,
+                                        const LambdaSearchSettings& settings, FoundLambdas& search,
                                         const Progress& progress) {
     std::vector<Eigen::Index> usable;  // an output that is constant on the part shows nothing
     for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
@@ -52,6 +53,8 @@ std::vector<double> log_lambdas_of_part(const Eigen::MatrixXd& squared_distances
     }
     const Eigen::MatrixXd varying = outputs(Eigen::all, usable);
     const FoundLambdas found = search_lambdas(squared_distances, varying, settings, progress);
+    search.decompositions = found.decompositions;
+    search.is_converged = found.is_converged;
     std::map<double, Eigen::VectorXd> values;
     for (const auto& [log_lambda, spectrum] : found.spectra) {
         values[log_lambda] = profile_likelihood(spectrum, squared_distances, varying,
@@ -69,11 +72,11 @@ FoundLambdas search_by_low_rank(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                 const Eigen::MatrixXd& part_squared_distances,
                                 const LambdaSearchSettings& settings, Eigen::Index rank,
                                 const Progress& progress) {
+    FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols())};
     const std::vector<double> log_lambdas = log_lambdas_of_part(
-        part_squared_distances, outputs(part, Eigen::all), settings, progress.part(0, 2));
+        part_squared_distances, outputs(part, Eigen::all), settings, found, progress.part(0, 2));
     std::vector<Eigen::Index> all(outputs.cols());
     std::iota(all.begin(), all.end(), 0);
-    FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols()), .spectra = {}};
     const Progress steps = progress.part(1, 2);
     for (size_t k = 0; k < log_lambdas.size(); ++k) {
         steps("training", static_cast<int>(k), static_cast<int>(log_lambdas.size()));

@@ -281,8 +281,17 @@ TEST(FitSettings, LimitTheDecompositionsAndReportEach) {
         for (int k = 0; k < most; ++k) {
             EXPECT_EQ(reported[k], k);
         }
+        EXPECT_EQ(fitted.decompositions, most);
+        EXPECT_FALSE(fitted.is_converged);
         expect_finite(fitted);
     }
+}
+
+TEST(Fit, SaysWhetherItsSearchEnded) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 40, 1);
+    const FittedProcesses fitted = fit(inputs, smooth_output(inputs, 0.1, 2), {.max_spectra = 100});
+    EXPECT_TRUE(fitted.is_converged);
+    EXPECT_LT(fitted.decompositions, 100);
 }
 
 TEST(FitSettings, LetTheProgressGiveUp) {

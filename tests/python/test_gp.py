@@ -9,6 +9,7 @@ import pytest
 
 pytest.importorskip("sklearn")
 
+from sklearn.exceptions import ConvergenceWarning
 from sklearn.gaussian_process import GaussianProcessRegressor
 from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
 from sklearn.pipeline import make_pipeline
@@ -38,7 +39,7 @@ def data():
 
 def test_each_output_is_as_likely_as_scikit_learn_makes_it(data):
     inputs, outputs = data
-    ours = MultiOutputGP(max_spectra=40).fit(inputs, outputs)
+    ours = MultiOutputGP().fit(inputs, outputs)
     for k in range(2):
         kernel = ConstantKernel(1.0, (1e-4, 1e4)) * RBF(1.0, (1e-2, 1e2)) + WhiteKernel(
             0.01, (1e-8, 1e2)
@@ -53,6 +54,27 @@ def test_each_output_is_as_likely_as_scikit_learn_makes_it(data):
         latent = np.sqrt(with_noise**2 - theirs.kernel_.k2.noise_level)
         assert mean[:, k] - outputs[:, k].mean() == pytest.approx(expected, rel=2e-2, abs=5e-2)
         assert std[:, k] == pytest.approx(latent, rel=5e-2)
+
+
+def test_a_search_that_ends_early_says_so(data):
+    inputs, outputs = data
+    with pytest.warns(ConvergenceWarning, match="after max_spectra=6 decompositions"):
+        early = MultiOutputGP(max_spectra=6).fit(inputs, outputs)
+    assert early.n_iter_ == 6
+    whole = MultiOutputGP().fit(inputs, outputs)
+    assert 6 < whole.n_iter_ < 200
+    assert (whole.log_marginal_likelihood_ >= early.log_marginal_likelihood_).all()
+
+
+def test_covariances_are_those_of_the_standard_deviations(data):
+    inputs, outputs = data
+    at = inputs[:5] + 0.1
+    model = MultiOutputGP().fit(inputs, outputs)
+    _, covariance = model.predict(at, return_cov=True)
+    assert covariance.shape == (5, 5, 3)
+    std = model.predict(at, return_std=True)[1]
+    assert np.sqrt(np.einsum("iim->im", covariance)) == pytest.approx(std, rel=1e-6, abs=1e-9)
+    assert MultiOutputGP().fit(inputs, outputs[:, 0]).predict(at, return_cov=True)[1].shape == (5, 5)
 
 
 def test_samples_have_the_mean_and_spread_that_are_predicted(data):

@@ -51,6 +51,10 @@ struct TAUT_CORE_EXPORT FittedProcesses {
     std::vector<KernelSpectrum> spectra;  ///< one for each lambda in use
     std::vector<Process> processes;       ///< m
     Eigen::MatrixXd weights;  ///< (R + eta I)^-1 y of each output (n x m); 0 if not fitted
+    /// Of the search for lambda: decompositions made, and whether it ended before max_spectra, with
+    /// no output that expects to gain more. Files do not keep them: 0, and true.
+    int decompositions = 0;
+    bool is_converged = true;
 
     /// Eqs. mx_* and sigmax_* at new inputs (d x k).
     /// @throws std::invalid_argument for another dimension, or an input that is not finite
