@@ -25,15 +25,20 @@ namespace {
 /// Exceptions of taut as those of Python. Their messages name arguments in place of options.
 void bind_exceptions(nb::module_& module) {
     static PyObject* input_error = nullptr;
+    static PyObject* missing_input_error = nullptr;
     static PyObject* net_error = nullptr;
     static PyObject* survey_error = nullptr;
-    const auto bind = [&module](PyObject*& type, const char* name, const char* doc) {
+    const auto bind = [&module](PyObject*& type, const char* name, const char* doc,
+                                PyObject* bases = PyExc_ValueError) {
         const std::string full =
             fmt::format("{}.{}", nb::cast<std::string>(module.attr("__name__")), name);
-        type = PyErr_NewExceptionWithDoc(full.c_str(), doc, PyExc_ValueError, nullptr);
+        type = PyErr_NewExceptionWithDoc(full.c_str(), doc, bases, nullptr);
         module.attr(name) = nb::handle(type);
     };
     bind(input_error, "InputError", "A file that cannot be read: 'file:place: what is wrong'.");
+    const nb::tuple of_missing =
+        nb::make_tuple(nb::handle(input_error), nb::handle(PyExc_FileNotFoundError));
+    bind(missing_input_error, "MissingInputError", "A file that is not there.", of_missing.ptr());
     bind(net_error, "NetError",
          "A cable net that breaks a rule: 'edges[3]: connects node 7 to itself'.");
     bind(survey_error, "SurveyError", "A survey that cannot be one of the net.");
@@ -50,6 +55,8 @@ void bind_exceptions(nb::module_& module) {
             PyErr_SetNone(PyExc_KeyboardInterrupt);
         } catch (const OutputError& error) {
             raise_of_file(PyExc_OSError, error);
+        } catch (const MissingInputError& error) {
+            raise_of_file(missing_input_error, error);
         } catch (const InputError& error) {
             raise_of_file(input_error, error);
         } catch (const NetError& error) {

@@ -72,7 +72,12 @@ File open_file(const std::filesystem::path& path) {
     }
     File file(std::fopen(path.c_str(), "rb"));
     if (!file) {
-        throw InputError(path.string(), "", "cannot be read: " + error_text(errno));
+        const int failure = errno;
+        const std::string problem = "cannot be read: " + error_text(failure);
+        if (failure == ENOENT) {
+            throw MissingInputError(path.string(), "", problem);
+        }
+        throw InputError(path.string(), "", problem);
     }
     return file;
 }

@@ -91,8 +91,10 @@ def test_errors_are_value_errors_that_name_the_file(tmp_path):
         taut.CableNet.load(path)
     assert issubclass(taut.InputError, ValueError)
     assert issubclass(taut.NetError, ValueError)
-    with pytest.raises(taut.InputError, match="absent"):
+    assert issubclass(taut.MissingInputError, taut.InputError)
+    with pytest.raises(FileNotFoundError, match=r"absent\.json: cannot be read") as raised:
         taut.CableNet.load(tmp_path / "absent.json")
+    assert isinstance(raised.value, taut.MissingInputError)
     with pytest.raises(OSError, match="folder"):
         taut.hypar(2, 2).save(tmp_path / "no folder" / "net.json")
 

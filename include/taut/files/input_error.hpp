@@ -21,4 +21,10 @@ public:
     InputError(const std::string& file, const std::string& place, const std::string& what);
 };
 
+/// A file that is not there.
+class TAUT_IO_EXPORT MissingInputError : public InputError {
+public:
+    using InputError::InputError;
+};
+
 }  // namespace taut
