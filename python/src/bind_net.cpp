@@ -245,7 +245,7 @@ Raises:
     ImportError: without COMPAS 2.
 
 Warns:
-    UserWarning: of what does not fit together.)");
+    UserWarning: of what is left out, and of what does not fit together.)");
     net.def_static(
         "from_jax_fdm",
         [](const nb::args& args, const nb::kwargs& settings) {
@@ -264,13 +264,22 @@ Args:
     loads: (n, 3) [N].)");
     net.def(
         "to_compas",
-        [](nb::handle_t<CableNet> self, const nb::object& form) {
-            return of_package("taut.compas", "to_compas")(self, form);
+        [](nb::handle_t<CableNet> self, const nb::object& form, const nb::object& like) {
+            return of_package("taut.compas", "to_compas")(self, form, like);
         },
-        nb::arg("form") = nb::none(),
-        nb::sig("def to_compas(self, form: numpy.typing.ArrayLike | None = None) -> object"),
-        "A COMPAS 2 Graph of a form (n, 3), by default the nominal one [m]: with forces, force "
-        "densities and unstressed lengths.");
+        nb::arg("form") = nb::none(), nb::kw_only(), nb::arg("like") = nb::none(),
+        nb::sig("def to_compas(self, form: numpy.typing.ArrayLike | None = None, *, like: object = "
+                "None) -> object"),
+        R"(A form (n, 3) in COMPAS 2, by default the nominal one [m]: with forces, force densities and
+unstressed lengths.
+
+Args:
+    like: the Mesh or Graph that the net was made of. Then a copy of it, with its keys, faces and
+        attributes, else a Graph with the net's numbers as keys.
+
+Raises:
+    ValueError: where it lacks a node or an edge of the net.
+    ImportError: without COMPAS 2.)");
     net.def(
         "to_dataframe",
         [](nb::handle_t<CableNet> self) { return of_package("taut.tables", "net_frame")(self); },

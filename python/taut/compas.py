@@ -52,6 +52,8 @@ def from_compas(
         path = Path(structure)
         try:
             text = path.read_text(encoding="utf-8")
+        except FileNotFoundError as error:
+            raise _taut.MissingInputError(f"{path}: cannot be read: {error}") from error
         except (OSError, UnicodeDecodeError) as error:
             raise _taut.InputError(f"{path}: cannot be read: {error}") from error
         name = name or str(path)
@@ -92,18 +94,47 @@ def _net_of_json(text, name, select, *, supports, loads, **settings):
             f"structure: {name} has neither forces f nor force densities q of its edges, nor "
             "loads, expected those of its form: unstressed lengths follow from them"
         )
+    if notes["left_out"]:
+        warnings.warn(f"{name}: left out: {', '.join(notes['left_out'])}", stacklevel=4)
     for warning in notes["warnings"]:
         warnings.warn(warning, stacklevel=4)
     return net
 
 
-def to_compas(net, form=None):
+def to_compas(net, form=None, like=None):
     """CableNet.to_compas()."""
     try:
         from compas.data import json_loads
     except ImportError as error:
         raise ImportError("to_compas needs COMPAS 2: pip install 'compas>=2'") from error
-    return json_loads(_taut._compas_of_form(net, form))
+    graph = json_loads(_taut._compas_of_form(net, form))
+    return graph if like is None else _put_on(like, graph)
+
+
+def _put_on(like, graph):
+    """A copy of a Mesh or Graph with the places and forces of a graph that has its names."""
+    is_mesh = hasattr(like, "vertices")
+    result = like.copy()
+    place = result.vertex_attributes if is_mesh else result.node_attributes
+    keys = {str(key): key for key in (result.vertices() if is_mesh else result.nodes())}
+    of_edges = ["q", "f", "l", "l0", "EA", "is_slack", "is_adjustable"]
+    names = {node: graph.node_attribute(node, "name") for node in graph.nodes()}
+    absent = [name for name in names.values() if name not in keys]
+    if absent:
+        raise ValueError(
+            f"like: got a {type(like).__name__} without the net's node {absent[0]!r}, expected "
+            "the structure that the net was made of"
+        )
+    for node, name in names.items():
+        place(keys[name], "xyz", graph.node_attributes(node, "xyz"))
+    for start, end in graph.edges():
+        edge = keys[names[start]], keys[names[end]]
+        if not result.has_edge(edge):
+            edge = edge[::-1]
+        if not result.has_edge(edge):
+            raise ValueError(f"like: got a {type(like).__name__} without the net's edge {edge}")
+        result.edge_attributes(edge, of_edges, graph.edge_attributes((start, end), of_edges))
+    return result
 
 
 def from_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):

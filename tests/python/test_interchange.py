@@ -12,6 +12,8 @@ compas = pytest.importorskip("compas")
 
 from compas.datastructures import Mesh
 
+pytestmark = pytest.mark.filterwarnings("ignore:.*left out")
+
 
 def grid():
     """A mesh whose edges all have one force density, its boundary fixed."""
@@ -35,6 +37,36 @@ def test_a_mesh_becomes_a_net_and_goes_back():
     assert graph.number_of_edges() == len(net.edges)
     back = taut.CableNet.from_compas(graph)
     assert np.abs(back.unstressed_lengths - net.unstressed_lengths).max() < 1e-9
+
+
+@pytest.mark.parametrize("is_mesh", [True, False])
+def test_a_structure_comes_back_as_it_was_with_the_form(is_mesh):
+    mesh = grid()
+    mesh.vertex_attribute(8, "panel", "B4")
+    structure = mesh if is_mesh else mesh.to_graph()
+    if not is_mesh:
+        for key in mesh.vertices_on_boundary():
+            structure.node_attribute(key, "is_anchor", True)
+        structure.update_default_edge_attributes(q=2.0e3)
+        structure.node_attribute(8, "panel", "B4")
+    with pytest.warns(UserWarning, match="left out: .* edges between two supports, 4 nodes"):
+        net = taut.CableNet.from_compas(structure, axial_stiffness=200e3)
+    form = np.array(net.nodes)
+    form[net.free_nodes] += 0.01
+    back = net.to_compas(form, like=structure)
+    assert type(back) is type(structure)
+    keys = list(back.vertices() if is_mesh else back.nodes())
+    assert keys == list(structure.vertices() if is_mesh else structure.nodes())
+    attribute = back.vertex_attribute if is_mesh else back.node_attribute
+    place = back.vertex_attributes if is_mesh else back.node_attributes
+    assert attribute(8, "panel") == "B4"
+    names = [str(one) for one in net.node_ids]
+    assert place(8, "xyz") == pytest.approx(form[names.index("8")], abs=1e-15)
+    edge = net.edges[0]
+    start, end = (int(names[node]) for node in edge)
+    assert back.edge_attribute((start, end), "l0") == pytest.approx(net.unstressed_lengths[0])
+    with pytest.raises(ValueError, match="without the net's node"):
+        net.to_compas(like=Mesh.from_meshgrid(dx=1.0, nx=2))
 
 
 def test_a_mesh_without_forces_is_refused():
