@@ -13,7 +13,7 @@ import {
   setRole, text, turnsFile,
 } from "./job";
 import { Cancelled, module, run } from "./program";
-import { fields as settingFields, forceSettings, identifySettings, importSettings, planSettings, type Setting, shown, wordsOf } from "./settings";
+import { fields as settingFields, forceSettings, identifySettings, importSettings, inFields, planSettings, type Setting, shown, wordsOf } from "./settings";
 import { keep, keptJob } from "./store";
 import { Work } from "./work";
 
@@ -79,8 +79,8 @@ async function command(work: Work, words: string[]): Promise<{ out: string; warn
   Object.assign(job.outputs, files);
   changed();
   work.showOutput(out, err);
-  if (code !== 0 && Object.keys(files).length === 0) throw new Error(err.trim() || `the program ended with ${code}`);
-  return { out, warnings: [...err.matchAll(/^taut: warning: (.*)$/gm)].map(([, warning]) => warning!) };
+  if (code !== 0 && Object.keys(files).length === 0) throw new Error(inFields(err.trim()) || `the program ended with ${code}`);
+  return { out, warnings: [...err.matchAll(/^taut: warning: (.*)$/gm)].map(([, warning]) => inFields(warning!)) };
 }
 
 /** Another program's net, with what is set for it now. */

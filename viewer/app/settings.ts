@@ -50,6 +50,15 @@ export const importSettings: Setting[] = [
   { option: "--supports", label: "Further supports", preset: "none", choices: ["boundary"] },
 ];
 
+const allSettings = [...identifySettings, ...planSettings, ...forceSettings, ...importSettings];
+
+/** A message of the program with the labels of the page's fields in place of its options. */
+export const inFields = (message: string): string =>
+  message.replace(/--[a-z][a-z-]*/g, (option) => {
+    const setting = allSettings.find((one) => one.option === option);
+    return setting ? `“${setting.label}”` : option;
+  });
+
 /** Fields for settings, whose values they keep in `values`. @param changed called after each change */
 export function fields(settings: Setting[], values: Record<string, string>, changed: () => void): HTMLElement {
   return h("div", { class: "fields" }, ...settings.map((setting) => {

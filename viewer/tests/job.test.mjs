@@ -14,6 +14,7 @@ async function bundled(entry) {
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 }
 const { addFile, epochWords, fileMade, newJob, setRole, text } = await bundled("../app/job.ts");
+const { inFields } = await bundled("../app/settings.ts");
 const { numberOf, turnedCsv } = await bundled("../src/as_made.ts");
 
 const bytes = (content) => new TextEncoder().encode(content);
@@ -88,4 +89,9 @@ test("turns are read as crews write them", () => {
   }
   for (const written of ["", "x", "1-1/2", "1/0x", "1 2", "--1", "1/2/3"]) assert.ok(Number.isNaN(numberOf(written)), written);
   assert.ok(!Number.isFinite(numberOf("1/0")));
+});
+
+test("messages of the program name the fields of the page", () => {
+  assert.equal(inFields("--step is 3, expected with --turn"), "“Smallest part of a turn” is 3, expected with “Change of length by one turn”");
+  assert.equal(inFields("--loads is none of the page's"), "--loads is none of the page's");
 });
