@@ -177,6 +177,17 @@ def support_moved(job):
     return job.given, {}, at_it
 
 
+def supports_off(job):
+    job.moved = {node: 1e-3 * job.random.normal() for node in job.net.data["supports"]}
+    job.survey("first.csv", {})
+    return job.given, {}, set()
+
+
+def supports_off_assumed(job):
+    job.options = ["--uncertain", "supports:1mm"]
+    return supports_off(job)
+
+
 def narrow_prior(job):
     job.options = ["--prior", "uniform:2mm"]
     return job.given, {}, set()
@@ -197,6 +208,8 @@ FALSE = [
     ("two cables 5 mm shorter than before", two_slipped),
     ("a turnbuckle 6 mm off from the start", off_from_the_start),
     ("a support 8 mm higher than before", support_moved),
+    ("each support 1 mm higher or lower", supports_off),
+    ("the same, supports assumed uncertain by 1 mm", supports_off_assumed),
     ("all turned 20 % too far", wrong_pitch),
     ("all turned the wrong way", wrong_signs),
     ("none turned", none_turned),

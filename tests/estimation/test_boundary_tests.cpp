@@ -85,6 +85,44 @@ TEST(SurveyScore, IsTheSlopeOfTheObjective) {
     EXPECT_NEAR(curvature, score.information(0, 0), 0.01 * curvature);
 }
 
+// A support with one edge takes no solution of its own, surveyed or not, beside common parameters.
+TEST(BoundaryScore, OfASurveyedSupportIsThatOfTheFreePlace) {
+    const CableNet net = hypar(6, 6);
+    const int held = net.supports()[3];
+    ASSERT_EQ(net.edges_at(held).size(), 1U);
+    CableNetData moved = net.data();
+    moved.nodes(2, held) += 0.004;
+    const SimulatedSurvey simulated = simulate(CableNet(moved), prior, noise, 3);
+    Survey survey = simulated.survey;
+    for (const int node : net.supports()) {
+        survey.supports.push_back({.node = node,
+                                   .position = moved.nodes.col(node),
+                                   .noise_std = Eigen::Vector3d::Constant(noise)});
+    }
+    for (const bool is_frame_unknown : {false, true}) {
+        PriorKnowledge knowledge(net, prior);
+        knowledge.uncertain = {parse_uncertain_parameter("stiffness:5%")};
+        knowledge.frame_is_unknown = is_frame_unknown;
+        SurveyFit kept(net, survey, knowledge, {.false_alarm_rate = 0.0});
+        SurveyFit freed(net, survey, knowledge, {});
+        const LinearisedFit at_kept = kept.run();
+        static_cast<void>(freed.run());
+        const std::span<const int> edges = net.edges_at(held);
+        const Linearisation::Score score = at_kept.linearisation.score_of_support(
+            held, {edges.begin(), edges.end()}, at_kept.covariance, at_kept.iterate,
+            kept.observations());
+        const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
+        const std::vector<BoundaryOutlier> found = boundary_outliers(freed.hypotheses());
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].index, held);
+        const Eigen::Matrix3d covariance = score.information.inverse();
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_NEAR(estimate(k), found[0].deviation(k), 0.5 * found[0].std(k));
+            EXPECT_NEAR(std::sqrt(covariance(k, k)), found[0].std(k), 0.1 * found[0].std(k));
+        }
+    }
+}
+
 // Where supports have several edges nothing is short-cut: three solutions with the whole matrix.
 TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
     const CableNet grid = hypar(6, 6);
