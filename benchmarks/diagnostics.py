@@ -27,8 +27,8 @@ class Case:
     """
 
     def __init__(self, name, truth="uniform:5mm", given=None, alter=None, survey=None, noise=NOISE, given_noise=None,
-                 frame="net", suspects=0, options=(), net=NET, heavy=False, uncertain=(), cells=0):
-        self.cells = cells  # load cells: forces measured to 2 %
+                 frame="net", suspects=0, options=(), net=NET, heavy=False, uncertain=(), cells=0, cells_off=0.0):
+        self.cells, self.cells_off = cells, cells_off  # load cells: forces measured to 2 %, and all off by a part
         self.uncertain = list(uncertain)
         self.name, self.truth, self.given, self.alter, self.survey = name, truth, given, alter, survey
         self.noise, self.given_noise, self.frame = noise, given_noise or noise, frame
@@ -259,6 +259,8 @@ CASES = [
     *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9", alter=alter, **more)
       for name, alter, more in [
           ("EA of one direction 10 % lower", softer_group(0.1), {}), ("EA 10 % lower, five load cells", softer(0.1), {"cells": 5}),
+          *[(f"five load cells{more}", None, {"cells": 5, "cells_off": off})
+            for more, off in [("", 0.0), (", all 15 % too high", 0.15), (", all 30 % too high", 0.3)]],
           ("cables bed in", bedding_in(0.3), {}), ("all turnbuckles 1 mm too long", off("adjustable", None, 0.001), {}),
           ("turns that are not given, 5 mm", turned(0.005), {}),
           ("the frame bends by 1 mm", moved_frame(lambda x: 0.004 * x * (1 - x)), {}),
@@ -317,7 +319,7 @@ def try_survey(net, case, folder, seed):
                 out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
     command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", case.given_noise, *case.options]
     if case.cells:
-        rows = [f"{edge},{tension[edge] * (1 + 0.02 * random.normal())}"
+        rows = [f"{edge},{tension[edge] * (1 + case.cells_off) * (1 + 0.02 * random.normal())}"
                 for edge in random.choice(len(tension), case.cells, replace=False)]
         (folder / "forces.csv").write_text("edge,tension\n" + "\n".join(rows) + "\n")
         command += ["--forces", folder / "forces.csv"]

@@ -335,12 +335,15 @@ std::string detectable_text(const DetectableErrors& errors) {
         const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
         return fmt::format("{} {:.6g} {}", name, std::round(value / digit) * digit, unit_name);
     };
-    return fmt::format("{}, {}, {}, {}, {}, {}", text("target", errors.target, 1e-3, "mm"),
+    const std::string forces = std::isfinite(errors.force_scale)
+                                   ? text(", all forces", errors.force_scale, 1e-2, "%")
+                                   : "";
+    return fmt::format("{}, {}, {}, {}, {}, {}{}", text("target", errors.target, 1e-3, "mm"),
                        text("length", errors.length, 1e-3, "mm"),
                        text("turnbuckle", errors.adjustable, 1e-3, "mm"),
                        text("support", errors.support, 1e-3, "mm"),
                        text("scale", errors.scale, 1e-6, "ppm"),
-                       text("temperature", errors.temperature, 1.0, "K"));
+                       text("temperature", errors.temperature, 1.0, "K"), forces);
 }
 
 /// The next step with the option of its remedy: "Use this standard deviation (--noise 0.71mm)."

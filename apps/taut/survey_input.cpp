@@ -157,19 +157,6 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
     for (const std::string& note : survey.notes) {
         text += fmt::format("  {}\n", note);
     }
-    if (!options.noise.empty() && options.noise != estimated_noise) {
-        const double given = parse_noise(options.noise);
-        const double rounded = std::hypot(given, survey.rounding_std);
-        const auto other = std::ranges::count_if(survey.surveyed, [&](int node) {
-            const auto noise = survey.noise_std.col(node).array();
-            return (noise != given && noise != rounded).any();
-        });
-        if (survey.has_own_noise && other > 0) {
-            text +=
-                fmt::format("  --noise {} is not used for {} of these: the file has their own\n",
-                            options.noise, other);
-        }
-    }
     if (survey.frame) {
         std::vector<ControlResidual> worst = survey.frame->residuals;
         text += fmt::format(

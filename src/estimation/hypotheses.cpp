@@ -236,9 +236,9 @@ bool Hypotheses::release_force(double than) {
     Hypothesis* worst = nullptr;
     for (const Suspect kind : {Suspect::force, Suspect::force_scale}) {
         for (Hypothesis& hypothesis : of(kind)) {
-            if (is_open(hypothesis, {}) && hypothesis.score() > than) {
+            if (is_open(hypothesis, {}) && hypothesis.score() > than &&
+                (worst == nullptr || hypothesis.statistic > worst->statistic)) {
                 worst = &hypothesis;
-                than = hypothesis.score();
             }
         }
     }

@@ -93,7 +93,10 @@ std::vector<Hypothesis> measurement_hypotheses(const Survey& survey,
         result.push_back({.kind = Suspect::force, .index = k, .threshold = force_threshold});
     }
     if (forces.size() > 1) {
-        result.push_back({.kind = Suspect::force_scale, .threshold = force_threshold});
+        // One calibration or unit for all is a likelier fault than any single one.
+        constexpr double likelier = 10.0;
+        result.push_back(
+            {.kind = Suspect::force_scale, .threshold = snooping_threshold(likelier * rate, 1, 1)});
     }
     return result;
 }

@@ -345,14 +345,18 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     if (options.assume_site) {
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
-        on_site.uncertain = with_site_assumptions(net, options.uncertain);
+        std::vector<UncertainParameter> uncertain = with_site_assumptions(net, options.uncertain);
         // How far turns differ from those given the surveys show: the chain estimates it.
-        std::erase_if(on_site.uncertain, [&](const UncertainParameter& one) {
+        std::erase_if(uncertain, [&](const UncertainParameter& one) {
             return one.kind == Kind::adjustable &&
                    std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
+        on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         Identification result = identify_epochs(net, epochs, on_site, progress);
-        result.assumptions = assumptions_of(on_site.uncertain, options.uncertain, result);
+        std::vector<UncertainParameter> not_assumed = options.uncertain;
+        not_assumed.push_back({.kind = Kind::adjustable, .group = {}});
+        name_assumed_widths(result, not_assumed);
+        result.assumptions = assumptions_of(uncertain, options.uncertain, result);
         return result;
     }
     check_epochs(net, epochs, options);
@@ -451,9 +455,6 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     result.how = fmt::format(
         "maximum a posteriori under the statics, by {} surveys, lengths {}{}", epochs.size(),
         prior.to_string(), first.contradicted_prior ? ", a prior that the first survey shows" : "");
-    if (!options.uncertain.empty()) {
-        result.how += ", uncertain parameters: " + to_string(options.uncertain);
-    }
     result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);
     result.trust = trust_of_epochs(net, result.epochs);
     std::ranges::move(together.findings, std::back_inserter(result.trust.findings));

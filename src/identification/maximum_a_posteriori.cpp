@@ -210,6 +210,11 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
     if (const double temperature = mean / std::abs(expansion); temperature <= largest_difference) {
         result.temperature = temperature;
     }
+    for (const Hypothesis& forces : tested.of(Suspect::force_scale)) {
+        const double std = forces.std()(0);
+        result.force_scale = detectable_error(
+            std::vector<BoundedEstimate>{{.bound = std::sqrt(forces.threshold) * std, .std = std}});
+    }
     return result;
 }
 

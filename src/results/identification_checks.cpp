@@ -62,7 +62,9 @@ Description<DetectableErrors> describe(const DetectableErrors* /*type*/) {
         .key("support", TAUT_VALUE(if_finite(it.support)), size,
              "Distance of a support from its place [m].")
         .key("scale", TAUT_VALUE(if_finite(it.scale)), size, "Of the survey, relative.")
-        .key("temperature", TAUT_VALUE(if_finite(it.temperature)), size, "Of all edges [K].");
+        .key("temperature", TAUT_VALUE(if_finite(it.temperature)), size, "Of all edges [K].")
+        .newer("force_scale", TAUT_VALUE(if_finite(it.force_scale)), size,
+               "Of all force measurements, relative; null for fewer than two.");
 }
 
 Description<FoundScale> describe(const FoundScale* /*type*/) {

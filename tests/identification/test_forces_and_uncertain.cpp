@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 #include <stdexcept>
 
 #include "identification/simulated_survey.hpp"
@@ -282,6 +283,35 @@ TEST_F(ForceMeasurements, ThatContradictAllElseAreLeftOutAndNamed) {
 }
 
 // As of cells in another unit, or with one calibration for all: none stands out by itself.
+TEST(ForceBias, IsFoundFromTheSizeThatIsNamed) {
+    const CableNet net = loaded_net();
+    const std::vector<UncertainParameter> uncertain{parse_uncertain_parameter("stiffness:5%")};
+    constexpr double relative_std = 0.02;
+    constexpr int surveys = 40;
+    const auto identified = [&](std::uint64_t seed, double off) {
+        const Built truth = built(net, uncertain, seed);
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal(1.0 + off, relative_std);
+        IdentifyOptions options = options_with(uncertain);
+        for (const int edge : {3, 9, 14, 20, 27}) {
+            const double tension = truth.tensions(edge) * normal(random);
+            options.forces.measurements.push_back(
+                {.edge = edge, .tension = tension, .std = relative_std * tension});
+        }
+        return identify(net, truth.simulated.survey, options);
+    };
+    const double size = identified(1, 0.0).detectable.force_scale;
+    ASSERT_LT(size, 1.0);
+    int found = 0;
+    int false_alarms = 0;
+    for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
+        found += identified(seed, size).force_bias ? 1 : 0;
+        false_alarms += identified(seed, 0.0).force_bias ? 1 : 0;
+    }
+    EXPECT_LE(false_alarms, 2);
+    EXPECT_NEAR(found, 0.8 * surveys, 0.2 * surveys);
+}
+
 TEST_F(ForceMeasurements, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
     for (const double factor : {0.1, 0.7, 1.3}) {
         Forces forces;

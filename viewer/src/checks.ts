@@ -112,6 +112,7 @@ function smallestErrorWords(found: Detectable | undefined): string {
   const all = [
     entry("length", found.length, "mm", 1e3), entry("turnbuckle", found.adjustable, "mm", 1e3), entry("support", found.support, "mm", 1e3),
     entry("target", found.target, "mm", 1e3), entry("scale", found.scale, "ppm", 1e6), entry("temperature", found.temperature, "K"),
+    ...(found.force_scale ? [entry("all forces", found.force_scale, "%", 1e2)] : []),
   ];
   const [shown, never] = [all.filter(([, size]) => size), all.filter(([, size]) => !size).map(([name]) => name)];
   return (shown.length > 0 ? `Smallest error this survey would show (with a probability of 80 %): ${shown.map(([name, size]) => `${name} ${size}`).join(", ")}.` : "") +
