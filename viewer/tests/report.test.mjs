@@ -713,6 +713,20 @@ test("arrows at the turnbuckles differ by hue and direction", () => onView("plan
   assert.equal(hues.orange > 20, strokes.size > shorter, JSON.stringify(hues));
 }));
 
+test("in the crews' drawing a name stands apart from the numbers of others", () => on("infeasible", async (page) => {
+  const gaps = await page.$$eval(".crew-drawing", (drawings) => drawings.flatMap((drawing) => {
+    const rings = [...drawing.querySelectorAll(".ring")];
+    const own = rings.map((ring) => [ring, ring.nextElementSibling.nextElementSibling]);
+    return own.filter(([, name]) => name.textContent).flatMap(([ring, name]) => rings.filter((other) => other !== ring).flatMap((other) => {
+      const [a, b] = [name.getBBox(), other.getBBox()];
+      if (a.y + a.height < b.y || b.y + b.height < a.y) return [];
+      return [Math.max(a.x - b.x - b.width, b.x - a.x - a.width)];
+    }));
+  }));
+  assert.ok(gaps.length > 0);
+  assert.ok(Math.min(...gaps) > 2.5, `${Math.min(...gaps)} mm`);
+}));
+
 test("a page whose result is damaged says so", async () => {
   const whole = readFileSync(reports.plain.page, "utf8");
   const start = whole.indexOf("id=\"result\">") + 12;
