@@ -332,6 +332,9 @@ void bind_plan(nb::module_& module) {
           "those before it [m]."},
          {"form_std",
           "Standard deviations of the planned form (n, 3); 0 without posterior samples [m]."},
+         {"form_covariance",
+          "Covariance of each node's place in the planned form, a list of (3, 3) arrays; empty "
+          "without posterior samples [m2]."},
          {"tension_lower",
           "Lower ends of the 95 % intervals of the planned tensions (m,); empty without posterior "
           "samples [N]."},

@@ -278,6 +278,11 @@ void bind_checks(nb::class_<Identified>& result) {
          {"drawn",
           "What follows from the samples, mean, std, lower and upper each: tensions of all edges, "
           "with slack_probability, and mean_tension [N]; places of missing nodes [m]."},
+         {"form_covariance",
+          "Posterior covariance of each node's place in form, a list of (3, 3) arrays [m2]: of the "
+          "samples at free nodes where there are 30 or more, else linearised; 0 of a known "
+          "support. "
+          "Empty of other methods than map, of an exact survey, and with unreliable samples."},
          {"turned",
           "What was turned since the net was as designed, with epochs: edge, stroke and std "
           "[m]."}});

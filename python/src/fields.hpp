@@ -108,7 +108,8 @@ TAUT_FIELDS(Identification, method, method_reason, how, length_prior, prior, sta
             length_outliers, boundary_outliers, boundary_not_released, detectable, noise_scale,
             frame_offset, scales, prior_check, frame_check, contradicted_prior, prior_was_given,
             force_measurements, force_outliers, force_bias, contradicted_taut, contradicted_slack,
-            assumptions, uncertain, draws, epochs, turned, trust, length_covariance, drawn)
+            assumptions, uncertain, draws, epochs, turned, trust, length_covariance,
+            form_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, as_in_paper,
@@ -137,9 +138,9 @@ TAUT_FIELDS(SuggestedTarget, node, normal_std)
 TAUT_FIELDS(SuggestedEdge, edge, stroke, normal_rmse_after)
 TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
 TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggested_targets, form,
-            form_std, tensions, tension_lower, tension_upper, effective_limits, draws, draws_needed,
-            no_draws_because, limit_probability, is_feasible, has_converged, breaches,
-            normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
+            form_std, form_covariance, tensions, tension_lower, tension_upper, effective_limits,
+            draws, draws_needed, no_draws_because, limit_probability, is_feasible, has_converged,
+            breaches, normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
 TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
 TAUT_FIELDS(WorstStep, step, breach)
 TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)

@@ -372,11 +372,19 @@ private:
         int with_normal = 0;
         const Eigen::VectorXd planned = free_coordinates(net, plan.form);
         const Eigen::MatrixXd moved = drawn_strokes.forms.colwise() - planned;
+        plan.form_covariance.assign(static_cast<size_t>(net.node_count()), Eigen::Matrix3d::Zero());
+        for (const ModelPerturbation& drawn_one : m_built->perturbations) {
+            for (const int node : net.supports()) {
+                const Eigen::Vector3d moved_by = drawn_one.supports.col(node);
+                plan.form_covariance[static_cast<size_t>(node)] +=
+                    moved_by * moved_by.transpose() / static_cast<double>(draws());
+            }
+        }
         for (int i = 0; i < net.free_node_count(); ++i) {
             const int node = net.free_nodes()[i];
             const auto rows = moved.middleRows(Eigen::Index{3} * i, 3);
-            plan.form_std.col(node) =
-                (rows.rowwise().squaredNorm() / static_cast<double>(draws())).cwiseSqrt();
+            plan.form_covariance[static_cast<size_t>(node)] =
+                rows * rows.transpose() / static_cast<double>(draws());
             const Eigen::Vector3d normal = target.normals().col(node);
             if (!normal.isZero(0.0)) {
                 variance +=
@@ -385,6 +393,10 @@ private:
             }
         }
         plan.normal_std = with_normal > 0 ? std::sqrt(variance / with_normal) : 0.0;
+        for (int node = 0; node < net.node_count(); ++node) {
+            plan.form_std.col(node) =
+                plan.form_covariance[static_cast<size_t>(node)].diagonal().cwiseSqrt();
+        }
         if (m_options->survey_noise) {
             suggest_targets(plan, drawn_strokes);
         }

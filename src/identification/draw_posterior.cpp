@@ -148,6 +148,22 @@ void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) 
     }
 }
 
+/// Replaces the linearised covariances of the free nodes' places.
+void set_drawn_covariances(Identification& result, const CableNet& net) {
+    // Fewer draws show an axis of an ellipse to an eighth at best.
+    constexpr int fewest_draws = 30;
+    const Eigen::MatrixXd& forms = result.draws->forms;
+    if (forms.cols() < fewest_draws || result.form_covariance.empty()) {
+        return;
+    }
+    for (int i = 0; i < net.free_node_count(); ++i) {
+        const auto places = forms.middleRows<3>(Eigen::Index{3} * i);
+        const Eigen::Matrix3Xd deviations = places.colwise() - places.rowwise().mean();
+        result.form_covariance[static_cast<size_t>(net.free_nodes()[i])] =
+            deviations * deviations.transpose() / static_cast<double>(forms.cols() - 1);
+    }
+}
+
 /// Sets what follows from reliable draws.
 void summarise(Identification& result, const CableNet& net, const Survey& survey,
                const Eigen::VectorXd& prior_stds) {
@@ -157,6 +173,7 @@ void summarise(Identification& result, const CableNet& net, const Survey& survey
         missing.push_back(net.free_index(node));
     }
     result.drawn = summary_of(*result.draws, survey.missing, missing);
+    set_drawn_covariances(result, net);
     set_drawn_edges(result, prior_stds);
 }
 
@@ -200,6 +217,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     const bool is_reliable = draws.reason.empty() && draws.count() > 0;
     result.draws = std::move(draws);
     if (!is_reliable) {
+        result.form_covariance.clear();
         set_open_edges(result, priors, fitted.model().slack);
         return;  // no interval rather than a wrong one
     }
@@ -214,6 +232,8 @@ void set_summary_of_draws(Identification& result, const CableNet& net, const Sur
     if (result.draws->reason.empty() && result.draws->count() > 0) {
         summarise(result, net, survey,
                   Eigen::VectorXd::Constant(std::ssize(result.edges), prior_std));
+    } else {
+        result.form_covariance.clear();
     }
 }
 

@@ -425,6 +425,9 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         fixed.fix_tension_laws(fitted.iterate);  // (drawn-law)
         fitted.linearisation = std::move(fitted.linearisation).under(std::move(fixed));
     }
+    if (fit.converged()) {
+        result.form_covariance = fitted.covariance.places;
+    }
     draw_posterior(result, net, fit_net, survey, knowledge, fitted, observations, wanted, progress);
     if (!wanted.covariance_of.empty() && fit.converged()) {
         // After the draws, which may widen the standard deviations.

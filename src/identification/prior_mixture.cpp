@@ -110,6 +110,29 @@ LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& par
     return mixed;
 }
 
+/// (prior-mixture), of the places of all nodes; nothing where a part has none.
+std::vector<Eigen::Matrix3d> mixed_places(const std::vector<WeightedIdentification>& parts) {
+    const Points& first = parts.front().result.predicted.form;
+    Points mean = Points::Zero(3, first.cols());  // less the first: exactly 0 where all agree
+    for (const auto& [weight, result] : parts) {
+        if (result.form_covariance.empty()) {
+            return {};
+        }
+        mean += weight * (result.predicted.form - first);
+    }
+    std::vector<Eigen::Matrix3d> mixed(static_cast<size_t>(first.cols()), Eigen::Matrix3d::Zero());
+    for (const auto& [weight, result] : parts) {
+        for (Eigen::Index node = 0; node < first.cols(); ++node) {
+            const Eigen::Vector3d from_mean =
+                result.predicted.form.col(node) - first.col(node) - mean.col(node);
+            mixed[static_cast<size_t>(node)] +=
+                weight * (result.form_covariance[static_cast<size_t>(node)] +
+                          from_mean * from_mean.transpose());
+        }
+    }
+    return mixed;
+}
+
 /// The first draws of each part, one after another.
 PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int draws) {
     std::vector<double> weights(parts.size());
@@ -265,6 +288,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     if (result.length_covariance) {
         result.length_covariance = mixed_covariance(parts, result.edges);
     }
+    result.form_covariance = mixed_places(parts);
     if (result.draws) {
         result.draws = drawn_by(parts, draws);
         set_summary_of_draws(result, net, survey, prior.std());

@@ -170,6 +170,10 @@ Description<Identification> describe(const Identification* /*type*/) {
         .newer_object("forces", forces_object())
         .newer("length_covariance", &Identification::length_covariance,
                "Posterior covariances between the lengths of the edges asked for; null: none.")
+        .newer(
+            "form_covariance", TAUT_VALUE(covariances_json(it.form_covariance)), covariances_rule(),
+            "Posterior covariance of each node's place in form, as xx, xy, xz, yy, yz, zz; null: "
+            "none [m2].")
         .newer("mean_tension", TAUT_VALUE(when(!it.drawn.tensions.empty(), it.drawn.mean_tension)),
                "Over all edges, of the posterior; null without samples [N].")
         .newer("draws", &Identification::draws,

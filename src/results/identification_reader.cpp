@@ -267,6 +267,7 @@ IdentificationResult read_identification(const JsonValue& root) {
     if (const auto covariance = find_unless_null(root, "length_covariance")) {
         check_length_covariance(*covariance, result.net);
     }
+    check_covariances(root, "form_covariance", result.net);
     if (root.find("tension")) {
         static_cast<void>(
             require_list(root, "tension", result.net.edge_count(), "a number for each edge"));

@@ -274,6 +274,10 @@ Description<PlanRecord> describe(const PlanRecord* /*type*/) {
         .key("planned_form", TAUT_VALUE(points_json(it.turns->plan.form)), points)
         .key("planned_form_std", TAUT_VALUE(points_json(it.turns->plan.form_std)), points,
              "Standard deviation of each coordinate; 0 without samples.")
+        .newer("planned_form_covariance",
+               TAUT_VALUE(covariances_json(it.turns->plan.form_covariance)), covariances_rule(),
+               "Covariance of each node's place in planned_form, as xx, xy, xz, yy, yz, zz; null "
+               "without samples [m2].")
         .key("target_form", TAUT_VALUE(points_json(it.target->at(it.turns->plan.form).places())),
              points)
         .key("target_normals",

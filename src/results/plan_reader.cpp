@@ -63,6 +63,7 @@ PlanResult read_plan(const JsonValue& root) {
     check_supports(member(root, "planned_form"), plan.planned_form, plan.net, plan.built_form,
                    "/built_form");
     static_cast<void>(require_form(root, "planned_form_std", plan.net));
+    check_covariances(root, "planned_form_covariance", plan.net);
     plan.target_form = require_form(root, "target_form", plan.net);
     plan.target_normals = require_form(root, "target_normals", plan.net);
     const int count = plan.net.edge_count();

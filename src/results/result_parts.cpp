@@ -106,6 +106,20 @@ ResultJson points_json(const Points& points) {
     return list;
 }
 
+ResultJson covariances_json(const std::vector<Eigen::Matrix3d>& covariances) {
+    ResultJson list;
+    for (const Eigen::Matrix3d& C : covariances) {
+        const Eigen::Vector<double, 6> numbers{C(0, 0), C(0, 1), C(0, 2),
+                                               C(1, 1), C(1, 2), C(2, 2)};
+        list.push_back(numbers_json(numbers, 6));
+    }
+    return list;
+}
+
+Rule covariances_rule() {
+    return Rule::list_of(Rule::list_of(Rule::number(), 6)).or_null();
+}
+
 std::string to_text(const ResultJson& document) {
     std::string text;
     write(text, document, "\n");

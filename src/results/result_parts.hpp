@@ -27,6 +27,10 @@ namespace taut {
 /// [[x, y, z]...], to 10 nm for a net of some 10 m.
 [[nodiscard]] ResultJson points_json(const Points& points);
 
+/// Of each matrix xx, xy, xz, yy, yz, zz; null where there are none.
+[[nodiscard]] ResultJson covariances_json(const std::vector<Eigen::Matrix3d>& covariances);
+[[nodiscard]] Rule covariances_rule();
+
 /// The text, where it is not empty.
 [[nodiscard]] std::optional<std::string> unless_empty(const std::string& text);
 

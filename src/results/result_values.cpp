@@ -61,6 +61,24 @@ Points require_form(const JsonValue& parent, const std::string& key, const Cable
     return points;
 }
 
+void check_covariances(const JsonValue& parent, const char* key, const CableNet& net) {
+    const auto list = find_unless_null(parent, key);
+    if (!list) {
+        return;
+    }
+    const auto count = static_cast<size_t>(net.node_count());
+    list->require_array(count, fmt::format("a covariance for each node: {}", count));
+    for (size_t i = 0; i < count; ++i) {
+        for (const size_t of_diagonal : {0, 3, 5}) {
+            const JsonValue variance = list->at(i).at(of_diagonal);
+            if (variance.number() < 0.0) {
+                variance.fail(
+                    fmt::format("is {}, expected a variance of at least 0", variance.number()));
+            }
+        }
+    }
+}
+
 int read_node(const JsonValue& value, const CableNet& net) {
     const int node = value.integer();
     if (node < 0 || node >= net.node_count()) {

@@ -36,6 +36,9 @@ namespace taut {
 [[nodiscard]] Points require_form(const JsonValue& parent, const std::string& key,
                                   const CableNet& net);
 
+/// Checks a member that may be missing or null and lists a covariance for each node of a net.
+void check_covariances(const JsonValue& parent, const char* key, const CableNet& net);
+
 /// A node of the net.
 [[nodiscard]] int read_node(const JsonValue& value, const CableNet& net);
 

@@ -295,6 +295,22 @@ struct Sample {
     ModelPerturbation perturbation;
 };
 
+/// Variances are those of the coordinates, along the normals those of the plan's sum.
+void check_covariances(const CableNet& net, const Plan& plan) {
+    ASSERT_EQ(plan.form_covariance.size(), static_cast<size_t>(net.node_count()));
+    const FormTarget target(net, net.nodes());
+    double along_normals = 0.0;
+    for (int node = 0; node < net.node_count(); ++node) {
+        const Eigen::Matrix3d& C = plan.form_covariance[node];
+        EXPECT_LT((C.diagonal().cwiseSqrt() - plan.form_std.col(node)).norm(), 1e-12);
+        if (net.free_index(node) >= 0) {
+            const Eigen::Vector3d normal = target.normals().col(node);
+            along_normals += normal.dot(C * normal) / net.free_node_count();
+        }
+    }
+    EXPECT_NEAR(std::sqrt(along_normals), plan.normal_std, 1e-9);
+}
+
 TEST(Plan, KeepsItsLimitsInOtherSamplesThanItsOwn) {
     const CableNet net = hilo_quarter();
     for (const bool is_stiffness : {false, true}) {
@@ -302,11 +318,13 @@ TEST(Plan, KeepsItsLimitsInOtherSamplesThanItsOwn) {
         BuiltNet built = random_built(net, 2, is_stiffness ? 0.0 : 5e-3);
         test::Random random(11);
         std::normal_distribution<double> normal;
+        const int uncertain = net.supports().front();
         const auto draw = [&] {
             Sample sample{.lengths = built.net.unstressed_lengths(),
                           .perturbation = unperturbed(built.net)};
             if (is_stiffness) {
                 sample.perturbation.stiffness.setConstant(0.05 * normal(random));
+                sample.perturbation.supports(0, uncertain) = 0.1e-3 * normal(random);
             }
             for (const int edge : net.interior_edges()) {
                 sample.lengths(edge) += is_stiffness ? 0.0 : 0.5e-3 * normal(random);
@@ -329,6 +347,9 @@ TEST(Plan, KeepsItsLimitsInOtherSamplesThanItsOwn) {
         if (!is_stiffness) {
             EXPECT_NEAR(plan.normal_std, 0.5e-3, 0.2e-3);
         }
+        check_covariances(net, plan);
+        EXPECT_NEAR(plan.form_std(0, uncertain), is_stiffness ? 0.1e-3 : 0.0, 0.02e-3);
+        EXPECT_EQ(plan.form_std.bottomRows(2).col(uncertain).norm(), 0.0);
         int kept = 0;
         for (int i = 0; i < count; ++i) {
             Sample sample = draw();

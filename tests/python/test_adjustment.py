@@ -33,6 +33,10 @@ def test_every_field_of_cpp_is_shown(found):
     assert plan.normal_std == saved["form"]["normal_std"] > 0.0
     assert np.allclose(plan.form_std, saved["planned_form_std"], atol=1e-9)
     assert plan.form_std.shape == plan.form.shape
+    variances = np.diagonal(plan.form_covariance, axis1=1, axis2=2)
+    assert np.allclose(np.sqrt(variances), plan.form_std, atol=1e-15)
+    covariances = np.array(saved["planned_form_covariance"])
+    assert np.allclose(covariances[:, [0, 3, 5]], variances, rtol=1e-5, atol=1e-15)
     assert np.all(plan.tension_lower <= plan.tension_upper)
     [limits] = plan.effective_limits
     assert limits["lower"].shape == plan.tension.shape

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Guards against results that are not the program's, and arguments that are misunderstood."""
 
+import copy
 import json
 import subprocess
 import threading
@@ -119,6 +120,16 @@ def test_covariances_between_lengths(net, survey):
     assert found.length_covariance.shape == (2, 2)
     assert np.sqrt(np.diag(found.length_covariance)) == pytest.approx(found.std[:2], rel=1e-6)
     assert found.length_draws is None
+
+
+def test_covariances_of_places(net, found):
+    of_nodes = np.array(found.form_covariance)
+    assert of_nodes.shape == (len(net.nodes), 3, 3)
+    rows, columns = np.triu_indices(3)
+    saved = np.array(found.to_dict()["form_covariance"])
+    assert np.allclose(of_nodes[:, rows, columns], saved, rtol=1e-5, atol=1e-14)
+    assert np.all(np.linalg.eigvalsh(of_nodes)[net.free_nodes] > 0.0)
+    assert copy.deepcopy(found).form_covariance[0].tolist() == of_nodes[0].tolist()
 
 
 def test_tables_and_files(net, found, tmp_path):

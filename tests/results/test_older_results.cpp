@@ -42,8 +42,11 @@ TEST_P(OlderResult, IsReadUnderTheKeysOfToday) {
         return keys;
     };
     const std::string name = GetParam();
-    EXPECT_EQ(keys_of(folder / "version_1" / (name + ".json")),
-              keys_of(folder / ("full_" + name + ".json")));
+    std::set<std::string> today = keys_of(folder / ("full_" + name + ".json"));
+    for (const char* since : {"/form_covariance", "/planned_form_covariance"}) {
+        today.erase(since);
+    }
+    EXPECT_EQ(keys_of(folder / "version_1" / (name + ".json")), today);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachKind, OlderResult,

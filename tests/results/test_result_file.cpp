@@ -174,7 +174,7 @@ void for_each_object(const json& value, const json& rule_or_reference,
     while (rule.contains("$ref")) {
         rule = definitions.at(json::json_pointer(rule["$ref"].get<std::string>().substr(1)).back());
     }
-    if (rule.contains("anyOf") && value.is_object()) {
+    if (rule.contains("anyOf") && value.is_structured()) {
         return for_each_object(value, rule["anyOf"][0], pointer, action);
     }
     if (value.is_object()) {
@@ -249,6 +249,13 @@ json boundary(const std::string& entry) {
     json one = json::parse(entry);
     one.update({{"statistic", 99.0}, {"confounded_with", nullptr}});
     return json::array({one});
+}
+
+/// Of an identification: covariances of all nodes, the first of them given.
+json covariances(const std::string& first) {
+    json list(good("identification")["form"].size(), json::parse("[1, 0, 0, 1, 0, 1]"));
+    list.front() = json::parse(first);
+    return list;
 }
 
 class DamagedResult : public ::testing::TestWithParam<Damage> {};
@@ -391,6 +398,15 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithALengthCovarianceOfTooFewRows", "identification", "/length_covariance",
                json::parse(R"({"edges": [0, 1], "ids": ["0", "1"], "covariance": [[1, 0]]})"),
                "/length_covariance/covariance: has 1 entries, expected a row for each edge: 2"},
+        Damage{"WithACovarianceTooFew", "identification", "/form_covariance",
+               json::parse("[[1, 0, 0, 1, 0, 1]]"),
+               "/form_covariance: has 1 entries, expected a covariance for each node: "},
+        Damage{"WithACovarianceOfAPlane", "identification", "/form_covariance",
+               covariances("[1, 0, 1]"),
+               "/form_covariance/0: has 3 entries, expected an array of 6"},
+        Damage{"WithAVarianceBelowZero", "identification", "/form_covariance",
+               covariances("[1, 0, 0, -1, 0, 1]"),
+               "/form_covariance/0/3: is -1, expected a variance of at least 0"},
         Damage{"WithABoundaryOutlierThatIsNoAdjustableEdge", "identification",
                "/diagnostics/boundary",
                boundary(R"({"edge": 4, "id": "4", "deviation": 0.01, "std": 0.001})"),
@@ -417,6 +433,9 @@ INSTANTIATE_TEST_SUITE_P(
                "/planned_form: has 15 entries, expected a point [x, y, z] for each node"},
         Damage{"WithANormalTooFew", "plan", "/target_normals",
                without_last(good("plan")["target_normals"]), "/target_normals: has "},
+        Damage{"WithACovarianceTooFew", "plan", "/planned_form_covariance",
+               without_last(good("plan")["planned_form_covariance"]),
+               "/planned_form_covariance: has 15 entries, expected a covariance for each node: 16"},
         Damage{"WithATensionTooFew", "plan", "/tension/edges",
                without_last(good("plan")["tension"]["edges"]), "expected one for each edge: "},
         Damage{"WithEdgesOutOfOrder", "plan", "/tension/edges/1/edge", 0,

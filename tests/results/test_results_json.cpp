@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "taut/design/builtin_nets.hpp"
@@ -47,6 +48,30 @@ TEST(IdentificationJson, HasThePriorOfEachMethod) {
                 << result.method << noise;
         }
     }
+}
+
+TEST(IdentificationJson, HasTheCovarianceOfEachPlaceThatTheMethodGives) {
+    const CableNet net = hypar(3, 4);
+    Survey survey = whole_survey(net, 1e-4);
+    const LengthPrior prior = parse_length_prior("normal:2mm");
+    const Identification result =
+        identify(net, survey, {.method = IdentificationMethod::map, .prior = prior});
+    const json saved = written(net, survey, result)["form_covariance"];
+    ASSERT_EQ(saved.size(), static_cast<size_t>(net.node_count()));
+    for (int node = 0; node < net.node_count(); ++node) {
+        const Eigen::Matrix3d& C = result.form_covariance[node];
+        const double largest = C.cwiseAbs().maxCoeff();
+        // 0 of known supports, of a mixture of priors, too.
+        EXPECT_EQ(largest > 0.0, net.free_index(node) >= 0);
+        const std::array numbers{C(0, 0), C(0, 1), C(0, 2), C(1, 1), C(1, 2), C(2, 2)};
+        for (size_t k = 0; k < numbers.size(); ++k) {
+            EXPECT_NEAR(saved[node][k].get<double>(), numbers[k], 1e-5 * largest);
+        }
+    }
+    survey.noise_std.setZero();
+    const Identification exact =
+        identify(net, survey, {.method = IdentificationMethod::balance, .prior = prior});
+    EXPECT_TRUE(written(net, survey, exact)["form_covariance"].is_null());
 }
 
 TEST(IdentificationJson, HasTheFrameThatTheSurveyWasMovedInto) {

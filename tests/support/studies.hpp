@@ -171,6 +171,9 @@ inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
     plan.unconstrained = plan.planned;
     plan.normal_std = draws > 0 ? 0.0002 : 0.0;
     plan.form_std.setConstant(3, net.node_count(), draws > 0 ? 0.0003 : 0.0);
+    if (draws > 0) {
+        plan.form_covariance.assign(net.node_count(), 9e-8 * Eigen::Matrix3d::Identity());
+    }
     plan.tensions = Eigen::VectorXd::LinSpaced(m, 2000.0, 4200.0);
     if (draws > 0) {
         plan.tension_lower = plan.tensions.array() - 150.0;

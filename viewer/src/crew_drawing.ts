@@ -17,6 +17,8 @@ const radius = 2.5;
 const textHeight = 2.4;
 const letterWidth = 0.56 * textHeight;
 const longestName = 10;
+/** From a name to what belongs to another number: it is read with the nearest. */
+const apart = 3.5;
 
 const overlap = (a: Box, b: Box): boolean => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
@@ -28,11 +30,11 @@ const cut = (name: string): string => (name.length > longestName ? `${name.slice
 /** Half the width of the ring. */
 const halfWidth = (number: string): number => Math.max(radius, 0.6 * letterWidth * number.length + 0.8);
 
-/** Boxes of the ring, and of the name on the side away from the net. */
+/** Boxes of the ring, and of the name on the side away from the net with its distance from others. */
 function boxesOf({ number, name, at, middle: [x, y] }: Label): Box[] {
   const half = halfWidth(number);
   const ring = { left: x - half, right: x + half, top: y - radius, bottom: y + radius };
-  const width = letterWidth * cut(name).length + 1;
+  const width = letterWidth * cut(name).length + apart;
   const left = x >= at[0] ? x + half : x - half - width;
   return name ? [ring, { left, right: left + width, top: y - textHeight / 2, bottom: y + textHeight / 2 }] : [ring];
 }
@@ -42,7 +44,7 @@ const places = [1.3, 1.8, 2.4, 3, 4, 5, 6, 7, 8, 10, 12, 14].flatMap((distance) 
   [0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.1, -2.1, 2.6, -2.6].map((angle) => ({ distance: radius * distance, angle })))
   .sort((a, b) => a.distance + radius * Math.abs(a.angle) - b.distance - radius * Math.abs(b.angle));
 
-/** Puts the label where it meets no other, and its ring where it hides no cable. */
+/** Puts the label where it meets no other, and hides no cable. */
 function placed(number: string, name: string, at: Point, out: Point, labels: Box[], cables: Box[]): Label {
   const all = places.map(({ distance, angle }): Label => {
     const direction: Point = [out[0] * Math.cos(angle) - out[1] * Math.sin(angle), out[0] * Math.sin(angle) + out[1] * Math.cos(angle)];
@@ -51,7 +53,7 @@ function placed(number: string, name: string, at: Point, out: Point, labels: Box
   const meets = (box: Box, others: Box[]): boolean => others.some((other) => overlap(box, other));
   return all.find((label) => {
     const boxes = boxesOf(label);
-    return !boxes.some((box) => meets(box, labels)) && !meets(boxes[0]!, cables);
+    return !boxes.some((box) => meets(box, labels) || meets(box, cables));
   }) ?? all[0]!;
 }
 

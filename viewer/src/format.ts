@@ -31,6 +31,9 @@ export function fixed(value: number, decimals: number): string {
 export const millimetres = (metres: number | null | undefined): string => number(1e3 * (metres ?? NaN));
 export const percent = (part: number | null | undefined): string => number(1e2 * (part ?? NaN));
 
+/** "× 1.5", "× 240". */
+export const factorText = (factor: number): string => `× ${factor < 10 ? factor.toFixed(1) : Math.round(factor)}`;
+
 /** A count with its noun: "1 edge", "536 edges". */
 export function counted(count: number, noun: string): string {
   const text = count < 10_000 ? String(count) : count.toLocaleString("en").replaceAll(",", "\u202f");

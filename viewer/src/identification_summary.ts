@@ -3,7 +3,7 @@
 
 import { counted, excludedTargets, fixed, millimetres, number, rootMeanSquare, short } from "./format";
 import { controlOf, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, statusOf } from "./result";
-import { nameOf, netWords, priorWords, type Summary } from "./summary_words";
+import { ellipseWords, nameOf, netWords, priorWords, type Summary } from "./summary_words";
 
 const methodNames: Record<string, string> = {
   gp: "Gaussian processes", gp_as_in_paper: "Gaussian processes as in the paper",
@@ -42,12 +42,14 @@ function longestWords(result: Identification, tense: IdentifiedEdge[]): string {
 }
 
 /** Distance of the predicted form from the survey, over the same targets as the caption of its figure. */
-function fitWords({ survey }: Identification): string {
+function fitWords(result: Identification): string {
+  const { survey } = result;
   const left = new Set(survey.outliers.map((o) => o.node));
   const away = (survey.residuals ?? []).filter((r) => left.has(r.node)).map(lengthOf);
   const over = left.size === 0 ? "" : `, over the ${counted(survey.used - left.size, "target")} in use`;
   const apart = away.length === 0 ? "" : ` ${excludedTargets(away.length)}, up to ${millimetres(Math.max(...away))} mm away.`;
-  return `The form predicted with these lengths is ${millimetres(survey.rms_residual)} mm (RMS) from the surveyed one, max ${millimetres(survey.max_residual)} mm${over}.${apart}`;
+  return `The form predicted with these lengths is ${millimetres(survey.rms_residual)} mm (RMS) from the surveyed one, max ${millimetres(survey.max_residual)} mm${over}.${apart}` +
+    ellipseWords(result.cable_net, result.form_covariance, "predicted");
 }
 
 /** The global test: what the survey's residuals show of its standard deviation, over the one given. */

@@ -3,7 +3,8 @@
 
 import { colourAt, css, palette } from "./colours";
 import { h } from "./dom";
-import { millimetres, short } from "./format";
+import { largestWords } from "./error_ellipses";
+import { factorText, millimetres, short } from "./format";
 import { type Model, type Quantity, rangeOf } from "./model";
 
 /** Legend of a quantity's colours: a bar with numbers and unit, or names. */
@@ -46,4 +47,12 @@ export function strokeLegend(model: Model): HTMLElement {
     entry("shorten", palette.blue, strokes.filter((s) => s < 0).length),
     entry("lengthen", palette.orange, strokes.filter((s) => s > 0).length),
     h("div", { class: "unit" }, `longest arrow: ${millimetres(Math.max(...strokes.map(Math.abs)))} mm of stroke`));
+}
+
+/** Legend of the error ellipses. @param areDrawn false where another form is shown than the one they are of */
+export function ellipseLegend(model: Model, factor: number, areDrawn: boolean): HTMLElement {
+  const words = areDrawn ? `95 % error ellipses as seen, ${factorText(factor)}` : "none: this displacement shows another form";
+  return h("div", { class: "legend ellipses" },
+    h("span", { class: "name" }, h("span", { class: "swatch ellipse", "aria-hidden": "true" }), words),
+    h("div", { class: "unit" }, `largest in plan: ${largestWords(model.covariances, model.nodeId)}`));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { palette, type Rgb } from "./colours";
+import { type Covariances, ellipseRemarks, semiMajorAxes, uncertainNodes } from "./error_ellipses";
 import { number } from "./format";
 import { type Identification, isSlack, lengthOf, type NetFile, type Status, statusOf, type Study } from "./result";
 
@@ -33,6 +34,8 @@ export interface Displacement {
   vectors: Float32Array;
   /** Displacements with the same name are exaggerated alike. */
   scale?: string;
+  /** Which end of the vectors is the form that the covariances are of; neither without. */
+  certain?: "base" | "end";
 }
 
 /** A net with all quantities of a result, the same for every kind of result. */
@@ -48,6 +51,8 @@ export interface Model {
   quantities: Quantity[];
   displacements: Displacement[];
   unstressed: number[];
+  /** Of the nodes' places in the form; empty where the result has none. */
+  covariances: Covariances;
   /** More lines of the inspector for a node: name and text. */
   remarks: Map<number, [string, string][]>;
   /** Change of length of the edges to be turned, drawn as arrows; empty without a plan [m]. */
@@ -110,11 +115,22 @@ export function netOf(net: NetFile, form: [number, number, number][]): Model {
     ],
     displacements: [],
     unstressed: net.unstressed_lengths,
+    covariances: [],
     remarks: new Map(),
     strokes: new Map(),
     nodeId: (node) => net.node_ids?.[node] ?? String(node),
     edgeId: (edge) => net.edge_ids?.[edge] ?? String(edge),
   };
+}
+
+/** Adds the covariances of the nodes' places, with what follows from them in plan. */
+export function addCovariances(model: Model, covariances: Covariances | null | undefined): void {
+  if (!covariances) return;
+  model.covariances = covariances;
+  for (const [node, covariance] of uncertainNodes(covariances)) model.remarks.set(node, [...(model.remarks.get(node) ?? []), ...ellipseRemarks(covariance)]);
+  model.quantities.push(quantity({
+    key: "ellipse", label: "95 % error ellipse in plan, semi-major axis", head: "95 % ellipse", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: semiMajorAxes(covariances),
+  }));
 }
 
 /** The edge or node of a name; -1 of none. */
@@ -232,7 +248,7 @@ export function modelOfIdentification(result: Identification): Model {
     ...(result.tension ? tensionAndStrain(net, result.tension, ", predicted", "") : []),
     quantity({ key: "form_predicted", label: "form deviation, predicted − nominal", unit: "mm", of: "node", kind: "sequential", decimals: 3, values: distances(fromNominal, model.isSupport) }),
   );
-  model.displacements = [{ label: "predicted form, from nominal", base: flat(net.nodes), vectors: fromNominal }];
+  model.displacements = [{ label: "predicted form, from nominal", base: flat(net.nodes), vectors: fromNominal, certain: "end" }];
 
   const { residuals = [], outliers, outlier_threshold } = result.survey;
   if (outliers.length > 0) {
@@ -255,8 +271,9 @@ export function modelOfIdentification(result: Identification): Model {
       if (!outliers.some((o) => o.node === residual.node)) values[residual.node] = 1e3 * lengthOf(residual);
     }
     model.quantities.push(quantity({ key: "residual", label: `surveyed − predicted${outliers.length > 0 ? ", targets in use" : ""}`, unit: "mm", of: "node", kind: "sequential", decimals: 3, values }));
-    model.displacements.push({ label: "surveyed form, from predicted", base: model.form, vectors });
+    model.displacements.push({ label: "surveyed form, from predicted", base: model.form, vectors, certain: "base" });
   }
+  addCovariances(model, result.form_covariance);
   return model;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
+import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
+type Triple = [number, number, number];
 export type Viewpoint = "perspective" | "top";
 
 /** How much of the picture the net fills. */
@@ -94,6 +95,24 @@ export class NetCamera {
       screen[2 * i + 1] = 0.5 * (1 - place.y) * height;
     }
     return screen;
+  }
+
+  /** How a place in a picture of that size moves with x, y and z: to the right and down [pixels per metre]; null of a point behind the camera. */
+  rates(width: number, height: number): (place: ArrayLike<number>) => [Triple, Triple] | null {
+    const camera = this.current;
+    camera.updateMatrixWorld();
+    const { elements: m } = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const row = (r: number, p: ArrayLike<number>): number => m[r]! * p[0]! + m[r + 4]! * p[1]! + m[r + 8]! * p[2]! + m[r + 12]!;
+    return (place) => {
+      const depth = row(3, place);
+      if (!(depth > 0)) return null;
+      // Of the quotient of two linear functions.
+      const of = (r: number, half: number): Triple => {
+        const quotient = row(r, place) / depth;
+        return [0, 1, 2].map((k) => (half * (m[r + 4 * k]! - quotient * m[3 + 4 * k]!)) / depth) as Triple;
+      };
+      return [of(0, width / 2), of(1, -height / 2)];
+    };
   }
 
   /** Moves the camera so that the net fills the picture. */

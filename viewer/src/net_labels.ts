@@ -22,7 +22,16 @@ function itemsOf(model: Model, which: Labelled): Item[] {
   }
 }
 
-/** Names over the view, as many as have room, and a scale bar. */
+/** A bar that is so long on the screen, and what that is. */
+export interface ScaleBar { pixels: number; words: string }
+
+/** A bar of a round number of a unit. */
+export function scaleBar(unitsPerPixel: number, width: number, unit: string): ScaleBar {
+  const length = nice(unitsPerPixel * 0.25 * width);
+  return { pixels: length / unitsPerPixel, words: `${length} ${unit}` };
+}
+
+/** Names over the view, as many as have room, and scale bars. */
 export class NetLabels {
   readonly canvas = h("canvas", { class: "labels", "aria-hidden": "true" });
   private items: Item[] = [];
@@ -35,15 +44,16 @@ export class NetLabels {
 
   /**
    * @param screen places of all nodes, in CSS pixels; @param selected is labelled first
-   * @param metresPerPixel null where it differs from place to place
+   * @param under draws what is under the names; @param bars from below
    */
-  draw(screen: Float32Array, size: { width: number; height: number; ratio: number }, look: { ink: string; ground: string }, selected: Item | null, metresPerPixel: number | null): void {
+  draw(screen: Float32Array, size: { width: number; height: number; ratio: number }, look: { ink: string; ground: string }, selected: Item | null, under: (context: CanvasRenderingContext2D) => void, bars: ScaleBar[]): void {
     const { width, height, ratio } = size;
     if (width === 0 || height === 0) return;  // it is not shown
     Object.assign(this.canvas, { width: width * ratio, height: height * ratio });
     const context = this.canvas.getContext("2d");
     if (!context) return;
     context.scale(ratio, ratio);
+    under(context);
     Object.assign(context, { font: "12px system-ui, sans-serif", fillStyle: look.ink, strokeStyle: look.ground, lineWidth: 3, lineJoin: "round" });
     const taken: [number, number, number][] = [];
     for (const item of selected ? [selected, ...this.items] : this.items) {
@@ -56,13 +66,13 @@ export class NetLabels {
       context.strokeText(text, x + 5, y - 4);
       context.fillText(text, x + 5, y - 4);
     }
-    if (metresPerPixel === null) return;
-    const bar = nice(metresPerPixel * 0.25 * width);
-    const pixels = bar / metresPerPixel;
-    context.fillRect(12, height - 14, pixels, 2);
-    for (const x of [12, 10 + pixels]) context.fillRect(x, height - 18, 2, 10);
-    context.strokeText(`${bar} m`, 20 + pixels, height - 9);
-    context.fillText(`${bar} m`, 20 + pixels, height - 9);
+    bars.forEach(({ pixels, words }, i) => {
+      const y = height - 14 - 20 * i;
+      context.fillRect(12, y, pixels, 2);
+      for (const x of [12, 10 + pixels]) context.fillRect(x, y - 4, 2, 10);
+      context.strokeText(words, 20 + pixels, y + 5);
+      context.fillText(words, 20 + pixels, y + 5);
+    });
   }
 
   private placeOf({ of, index }: Item, screen: Float32Array): [number, number] {

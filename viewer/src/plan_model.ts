@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { difference, distances, flat, type Model, netOf, type Quantity, quantity } from "./model";
+import { addCovariances, difference, distances, flat, type Model, netOf, type Quantity, quantity } from "./model";
 import type { Plan, PlannedTension } from "./result";
 
 const kN = 1e-3;
@@ -87,11 +87,12 @@ export function modelOfPlan(plan: Plan): Model {
     const std = plan.planned_form_std.map((s, i) => (model.isSupport[i] ? NaN : 1e3 * Math.max(...s)));
     model.quantities.push(quantity({ key: "std", label: "standard deviation of the planned position, worst axis", head: "std", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: std }));
   }
+  addCovariances(model, plan.planned_form_covariance);
   // One scale, so that before and after can be compared by eye.
   model.displacements = [
     { label: "as built, from the target", base, vectors: built, scale: "target" },
-    { label: "as planned, from the target", base, vectors: planned, scale: "target" },
-    { label: "effect of turning: as planned, from as built", base: flat(plan.built_form), vectors: difference(plan.planned_form, plan.built_form), scale: "target" },
+    { label: "as planned, from the target", base, vectors: planned, scale: "target", certain: "end" },
+    { label: "effect of turning: as planned, from as built", base: flat(plan.built_form), vectors: difference(plan.planned_form, plan.built_form), scale: "target", certain: "end" },
   ];
   model.strokes = strokes;
   return model;

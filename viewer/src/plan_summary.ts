@@ -4,7 +4,7 @@
 import { h } from "./dom";
 import { counted, millimetres, number, percent, short } from "./format";
 import type { LimitBreach, Plan } from "./result";
-import { nameOf, netWords, type Summary } from "./summary_words";
+import { ellipseWords, nameOf, netWords, type Summary } from "./summary_words";
 
 const kN = (newton: number): string => number(newton / 1e3);
 
@@ -26,7 +26,7 @@ function formSentence(plan: Plan): string {
   // The optimum minimises a weighted RMS: this one may be above that of the plan.
   const remaining = unconstrained.normal_rmse < 0.98 * planned.normal_rmse
     ? `even with unlimited strokes ${millimetres(unconstrained.normal_rmse)} mm would remain` : "unlimited strokes would bring it no nearer";
-  return `${by}; ${remaining}.` + stepWords(plan) + toleranceWords(plan);
+  return `${by}; ${remaining}.` + stepWords(plan) + toleranceWords(plan) + ellipseWords(plan.cable_net, plan.planned_form_covariance, "planned");
 }
 
 /** What rounding to whole steps of a turn costs. */

@@ -3,6 +3,7 @@
 
 import { Vector3 } from "three";
 import { linear, palette } from "./colours";
+import { extentOf } from "./extent";
 import { endsFromOutside, type Model } from "./model";
 
 // Arrows outside the support of each edge to be turned, in line with it, where nothing else is drawn:
@@ -14,17 +15,6 @@ const shortest = 0.015;
 const gap = 0.008;
 /** Lines of an arrow: its shaft, and two pairs of barbs, one of which is seen from any side. */
 const linesEach = 5;
-
-/** Largest side of the box around the form. */
-function extentOf(positions: Float32Array): number {
-  let extent = 0;
-  for (let k = 0; k < 3; ++k) {
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = k; i < positions.length; i += 3) [low, high] = [Math.min(low, positions[i]!), Math.max(high, positions[i]!)];
-    extent = Math.max(extent, high - low);
-  }
-  return extent;
-}
 
 /** The edge's support and the direction out of the net there; where neither end is one, its first node. */
 function outwards(model: Model, positions: Float32Array, edge: number): [Vector3, Vector3] {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
+import { type Covariances, largestWords } from "./error_ellipses";
 import { counted } from "./format";
-import type { Counts } from "./result";
+import type { Counts, NetFile } from "./result";
 
 /** The top of the page: a title, what was done, three sentences, some numbers. */
 export interface Summary {
@@ -30,4 +31,10 @@ export function priorWords(prior = ""): string {
   if (kind === "normal") return `normally with a standard deviation of ${scale}`;
   if (kind === "bimodal") return `by about −${scale} or +${scale}`;
   return prior ? `by the prior ${prior}` : "at random";
+}
+
+/** How well the least known place of a form is known; nothing without covariances. */
+export function ellipseWords(net: NetFile, covariances: Covariances | null | undefined, which: string): string {
+  const largest = largestWords(covariances ?? [], (node) => net.node_ids?.[node] ?? String(node));
+  return largest ? ` The largest 95 % error ellipse of the ${which} form in plan has ${largest}.` : "";
 }

@@ -4,9 +4,10 @@
 import { Color, Scene, Vector3, WebGLRenderer } from "three";
 import { colourAt, linear, palette, type Rgb } from "./colours";
 import { type EdgeLines, ThinLines, WideLines } from "./edge_lines";
+import { drawEllipses, type Ellipse, ellipseOf, uncertainNodes } from "./error_ellipses";
 import { type Displacement, type Model, type Quantity, rangeOf } from "./model";
 import { NetCamera, type Viewpoint } from "./net_camera";
-import { type Labelled, NetLabels } from "./net_labels";
+import { type Labelled, NetLabels, scaleBar } from "./net_labels";
 import { discTexture, NodeDots } from "./node_dots";
 import { nearestItem } from "./picking";
 import type { Item, Selection } from "./selection";
@@ -59,6 +60,10 @@ export class NetView {
   private readonly freeNodes: number[];
   private readonly supports: number[];
   private readonly positions: Float32Array;
+  private readonly uncertain: ReturnType<typeof uncertainNodes>;
+  /** Of the nodes in the form that is known as well as the ellipses say; null where another one is shown. */
+  private middles: Float32Array | null = null;
+  private exaggeration = 0;
   private quantity: Quantity;
   private theme: Theme = themes.light;
   private screen: Float32Array | null = null;
@@ -73,6 +78,7 @@ export class NetView {
     container.append(this.canvas, this.labels.canvas);
     this.quantity = model.quantities[0]!;
     this.positions = model.form.slice();
+    this.uncertain = uncertainNodes(model.covariances);
 
     const all = Array.from({ length: model.edgeCount }, (_, e) => e);
     if (many) shuffled(all);
@@ -140,6 +146,7 @@ export class NetView {
     for (let i = 0; i < base.length; ++i) {
       this.positions[i] = base[i]! + (displacement ? factor * displacement.vectors[i]! : 0);
     }
+    this.middles = !displacement || displacement.certain === "end" ? this.positions : displacement.certain === "base" ? base : null;
     for (const { edges, lines } of this.groups) {
       if (edges.length > 0) lines.setPositions(this.endsOf(edges, this.positions));
       lines.object.visible = edges.length > 0;
@@ -152,6 +159,17 @@ export class NetView {
       const none = linear(this.theme.none);
       this.ghost.setColours(new Float32Array(6 * all.length).map((_, i) => none[i % 3]!));
     }
+  }
+
+  /** Draws the 95 % ellipses of the nodes' places so many times too large; none at 0. */
+  setEllipses(exaggeration: number): void {
+    this.exaggeration = exaggeration;
+    this.request();
+  }
+
+  /** Whether the form that is shown has them. */
+  get hasEllipses(): boolean {
+    return this.middles !== null;
   }
 
   setViewpoint(viewpoint: Viewpoint): void {
@@ -177,6 +195,21 @@ export class NetView {
   placeOf(node: number): [number, number] {
     const screen = this.projected();
     return [screen[2 * node]!, screen[2 * node + 1]!];
+  }
+
+  /** The ellipses as drawn, in CSS pixels. */
+  ellipses(): { node: number; at: [number, number]; ellipse: Ellipse }[] {
+    const { middles, exaggeration } = this;
+    if (!middles || exaggeration === 0) return [];
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const screen = middles === this.positions ? this.projected() : this.camera.project(middles, width, height);
+    const rates = this.camera.rates(width, height);
+    return this.uncertain.flatMap(([node, covariance]) => {
+      const rate = rates(middles.subarray(3 * node, 3 * node + 3));
+      if (!rate) return [];
+      const { major, minor, angle } = ellipseOf(covariance, ...rate);
+      return [{ node, at: [screen[2 * node]!, screen[2 * node + 1]!], ellipse: { major: exaggeration * major, minor: exaggeration * minor, angle } }];
+    });
   }
 
   /** Draws at once and gives the picture, for print. */
@@ -356,6 +389,11 @@ export class NetView {
     this.renderer.render(this.scene, this.camera.current);
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const look = { ink: `rgb(${this.theme.ink.map((part) => Math.round(255 * part)).join(" ")})`, ground: this.theme.ground };
-    this.labels.draw(this.projected(), { width, height, ratio: this.renderer.getPixelRatio() }, look, this.selection.selected, this.camera.metresPerPixel(height));
+    const metres = this.camera.metresPerPixel(height);
+    const bars = metres === null ? [] : [scaleBar(metres, width, "m")];
+    const ellipses = this.ellipses();
+    if (metres !== null && ellipses.length > 0) bars.push(scaleBar((1e3 * metres) / this.exaggeration, width, "mm of the 95 % ellipses"));
+    this.labels.draw(this.projected(), { width, height, ratio: this.renderer.getPixelRatio() }, look, this.selection.selected,
+      (context) => drawEllipses(context, ellipses, this.theme.ink), bars);
   }
 }

@@ -50,4 +50,11 @@ await take("report-top", {
   },
 });
 await take("plan", { report: plan, part: "#net" });
+await take("error-ellipses", {
+  report: plan, part: "#net",
+  first: async (page) => {
+    await page.click("[data-view=top]");
+    await page.check("#ellipses");
+  },
+});
 await browser.close();

@@ -12,7 +12,7 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 import { chromium } from "playwright-core";
-import { folder, makeReports, refusalOf } from "./results.mjs";
+import { folder, makeReports, refusalOf, report as reportOf, write } from "./results.mjs";
 
 const executablePath = process.env.TAUT_CHROMIUM ?? "/usr/bin/chromium";
 if (!existsSync(executablePath)) {
@@ -711,6 +711,122 @@ test("arrows at the turnbuckles differ by hue and direction", () => onView("plan
   });
   assert.equal(hues.blue > 20, shorter > 0, JSON.stringify(hues));
   assert.equal(hues.orange > 20, strokes.size > shorter, JSON.stringify(hues));
+}));
+
+/** [semi-major, semi-minor, angle] of the 95 % ellipse of a 2 x 2 covariance. */
+function axesOf([[a, b], [, c]]) {
+  const [middle, half] = [(a + c) / 2, Math.sqrt(((a - c) / 2) ** 2 + b * b)];
+  return [...[half, -half].map((part) => 2.447747 * Math.sqrt(Math.max(middle + part, 0))), 0.5 * Math.atan2(2 * b, a - c)];
+}
+
+test("error ellipses have the axes of the covariances, in a turned view too, and the scale of the legend", async () => {
+  // Standard deviations of 3 and 1 mm in plan, the larger one at 30 degrees from x to y, and 2 mm in height.
+  const [[cos, sin], [along, across, height]] = [[Math.sqrt(0.75), 0.5], [3e-3, 1e-3, 2e-3].map((std) => std ** 2)];
+  const covariance = [along * cos * cos + across * sin * sin, (along - across) * cos * sin, 0, along * sin * sin + across * cos * cos, 0, height];
+  const result = structuredClone(reports.moved.result);
+  const node = result.cable_net.nodes.findIndex((_, i) => !result.cable_net.supports.includes(i));
+  result.form_covariance = result.cable_net.nodes.map((_, i) => (i === node ? covariance : [1e-8, 0, 0, 1e-8, 0, 1e-8]));
+  write("ellipses", result);
+  const page = await open(reportOf("ellipses").page);
+  const drawn = () => page.$eval(".canvas", ({ netView }) => netView.ellipses());
+  const own = async () => (await drawn()).find((one) => one.node === node);
+  assert.deepEqual(await drawn(), [], "shown without being asked for");
+  await page.click("[data-view=top]");
+  await page.check("#ellipses");
+  assert.equal((await drawn()).length, result.cable_net.nodes.length);
+  const factor = plainNumber(/× ([\d.]+)/.exec(await page.textContent(".legend.ellipses"))[1]);
+  assert.match(await page.textContent(".legend.ellipses"), new RegExp(`95 % .*largest in plan: semi-axes of 7\\.34 × 2\\.45 mm at node ${node}$`));
+  assert.match(await page.textContent(".sentences"), new RegExp(`largest 95 % error ellipse of the predicted form in plan has semi-axes of 7\\.34 × 2\\.45 mm at node ${node}\\.`));
+  // Pixels of a metre, from two nodes of the form seen from above.
+  const other = result.cable_net.nodes.findIndex((_, i) => i !== node && Math.abs(result.form[i][0] - result.form[node][0]) > 0.3);
+  const pixelsOfMetre = await page.$eval(".canvas", ({ netView }, [node, other, metres]) =>
+    Math.abs(netView.placeOf(node)[0] - netView.placeOf(other)[0]) / metres, [node, other, Math.abs(result.form[node][0] - result.form[other][0])]);
+  const check = ({ ellipse }, seen, what) => {
+    const [major, minor, angle] = axesOf(seen);
+    const scale = factor * pixelsOfMetre;
+    assert.ok(Math.abs(ellipse.major / (scale * major) - 1) < 0.02, `${what}: semi-major ${ellipse.major} for ${scale * major}`);
+    assert.ok(Math.abs(ellipse.minor / (scale * minor) - 1) < 0.02, `${what}: semi-minor ${ellipse.minor} for ${scale * minor}`);
+    // Down the screen is down the net.
+    assert.ok(Math.abs(Math.sin(ellipse.angle + angle)) < 0.01, `${what}: angle ${ellipse.angle} for ${-angle}`);
+  };
+  const covarianceOf = (i, k) => covariance[[[0, 1, 2], [1, 3, 4], [2, 4, 5]][i][k]];
+  /** Seen by a camera at such an angle about z, and from the vertical. */
+  const seenFrom = (azimuth, polar) => {
+    const axes = [[-Math.sin(azimuth), Math.cos(azimuth), 0], [-Math.cos(polar) * Math.cos(azimuth), -Math.cos(polar) * Math.sin(azimuth), Math.sin(polar)]];
+    return axes.map((u) => axes.map((v) => u.reduce((sum, x, i) => sum + x * v.reduce((part, y, k) => part + covarianceOf(i, k) * y, 0), 0)));
+  };
+  check(await own(), seenFrom(-Math.PI / 2, 0), "top view");
+  await page.focus(".canvas canvas:not(.labels)");
+  for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");
+  check(await own(), seenFrom(-Math.PI / 2 + 0.6, 0), "turned");
+  for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowDown");
+  check(await own(), seenFrom(-Math.PI / 2 + 0.6, 0.8), "turned and tilted");
+  await page.click("[data-view=perspective]");
+  const moves = await page.$eval(".canvas", ({ netView: { camera, canvas } }, place) => [0, 1, 2].map((k) => {
+    const [before, after] = [-0.02, 0.02].map((by) => camera.project(Float32Array.from(place, (x, i) => x + (i === k ? by : 0)), canvas.clientWidth, canvas.clientHeight));
+    return [0, 1].map((i) => (after[i] - before[i]) / 0.04);
+  }), result.form[node]);
+  const projected = [0, 1].map((u) => [0, 1].map((v) => moves.reduce((sum, a, i) => sum + moves.reduce((part, b, k) => part + a[u] * covarianceOf(i, k) * b[v], 0), 0)));
+  const [major, minor, angle] = axesOf(projected);
+  const { ellipse } = await own();
+  assert.ok(Math.abs(ellipse.major / (factor * major) - 1) < 0.02 && Math.abs(ellipse.minor / (factor * minor) - 1) < 0.02, JSON.stringify([ellipse, factor * major, factor * minor]));
+  assert.ok(Math.abs(Math.sin(ellipse.angle - angle)) < 0.01);
+  // Larger by the slider, gone where another form is shown or it is switched off.
+  const before = (await own()).ellipse.major;
+  await page.fill("#ellipse-exaggeration", "100");
+  assert.ok(Math.abs((await own()).ellipse.major / before - 4) < 0.01);
+  await page.uncheck("#ellipses");
+  assert.deepEqual(await drawn(), []);
+  assert.equal(await page.locator(".legend.ellipses").count(), 0);
+  await page.close();
+});
+
+test("results have the covariances of their form, and the ellipses stand where that form is shown", async () => {
+  await onView("moved", async (page, { form_covariance, cable_net }) => {
+    assert.equal(form_covariance.length, cable_net.nodes.length);
+    await page.check("#ellipses");
+    const drawn = await page.$eval(".canvas", ({ netView }) => netView.ellipses().map(({ node }) => node));
+    for (const node of cable_net.nodes.keys()) {
+      if (!cable_net.supports.includes(node)) assert.ok(drawn.includes(node), `free node ${node}`);
+    }
+    const inPlan = form_covariance.map(([xx, xy, , yy]) => axesOf([[xx, xy], [xy, yy]])[0]);
+    const largest = inPlan.indexOf(Math.max(...inPlan));
+    const [, major, node] = /semi-axes of (\S+) × \S+ mm at node (\d+)/.exec(await page.textContent(".sentences"));
+    assert.equal(Number(node), largest);
+    assertShown(major, 1e3 * inPlan[largest]);
+    await page.uncheck("#ellipses");
+  });
+  await onView("plan", async (page, { planned_form_covariance, planned_form_std }) => {
+    planned_form_covariance.forEach(([xx, , , yy, , zz], i) => [xx, yy, zz].forEach((variance, k) =>
+      assert.ok(Math.abs(Math.sqrt(variance) - planned_form_std[i][k]) < 2e-9, `${i} ${k}`)));
+    await page.check("#ellipses");
+    const count = (displacement) => page.selectOption("#displacement", displacement).then(() => page.$eval(".canvas", ({ netView }) => netView.ellipses().length));
+    const all = await count("-1");
+    assert.equal(all, planned_form_covariance.filter((c) => c[0] > 0).length);
+    assert.ok(all > 0);
+    assert.deepEqual([await count("0"), await count("1"), await count("2")], [0, all, all], "as built, as planned, effect of turning");
+    await page.selectOption("#displacement", "-1");
+    await page.uncheck("#ellipses");
+  });
+  await on("unsure", async (page, { planned_form_covariance }) => {
+    assert.equal(planned_form_covariance, null);
+    assert.equal(await page.locator("#ellipses").count(), 0);
+    assert.doesNotMatch(await page.textContent(".sentences"), /ellipse/);
+  });
+});
+
+test("in the crews' drawing a name stands apart from the numbers of others", () => on("infeasible", async (page) => {
+  const gaps = await page.$$eval(".crew-drawing", (drawings) => drawings.flatMap((drawing) => {
+    const rings = [...drawing.querySelectorAll(".ring")];
+    const own = rings.map((ring) => [ring, ring.nextElementSibling.nextElementSibling]);
+    return own.filter(([, name]) => name.textContent).flatMap(([ring, name]) => rings.filter((other) => other !== ring).flatMap((other) => {
+      const [a, b] = [name.getBBox(), other.getBBox()];
+      if (a.y + a.height < b.y || b.y + b.height < a.y) return [];
+      return [Math.max(a.x - b.x - b.width, b.x - a.x - a.width)];
+    }));
+  }));
+  assert.ok(gaps.length > 0);
+  assert.ok(Math.min(...gaps) > 2.5, `${Math.min(...gaps)} mm`);
 }));
 
 test("a page whose result is damaged says so", async () => {

@@ -26,7 +26,7 @@ export function write(name, result) {
 }
 
 /** The report of a result in the folder: its path and the result. */
-function report(name) {
+export function report(name) {
   taut("report", `${name}.json`, "-o", `${name}.html`);
   return { page: join(folder, `${name}.html`), result: JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8")) };
 }

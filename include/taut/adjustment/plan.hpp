@@ -85,8 +85,10 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     /// With PlanOptions::survey_noise: at most ten, the most informative first. For other targets
     /// the samples show no significant gain.
     std::vector<SuggestedTarget> suggested_targets;
-    Points form;                    ///< planned (3 x n) [m]
-    Eigen::MatrixXd form_std;       ///< 3 x n; 0 without samples [m]
+    Points form;               ///< planned (3 x n) [m]
+    Eigen::MatrixXd form_std;  ///< 3 x n; 0 without samples [m]
+    /// Covariance of each node's place, about the planned one; empty without samples (n) [m2].
+    std::vector<Eigen::Matrix3d> form_covariance;
     Eigen::VectorXd tensions;       ///< planned (m) [N]
     Eigen::VectorXd tension_lower;  ///< of 95 % intervals (m); empty without samples [N]
     Eigen::VectorXd tension_upper;  ///< their upper ends (m); empty without samples [N]

@@ -178,6 +178,11 @@ struct Identification {
 
     /// Where it was asked for, and the survey is not exact.
     std::optional<LengthCovariance> length_covariance;
+    /// Posterior covariance of each node's place in `predicted`, supports included (n) [m2]: of the
+    /// draws at free nodes where there are 30 or more, else linearised, (covariance) of
+    /// docs/theory.md, which leaves out what the lengths have in common. 0 of a support that is
+    /// known. Empty of other methods than map, of an exact survey, and with unreliable draws.
+    std::vector<Eigen::Matrix3d> form_covariance;
 
     DrawnSummary drawn;  ///< what follows from them; empty without, and where they are unreliable
 };
