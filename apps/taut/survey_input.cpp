@@ -135,7 +135,8 @@ ReadSurveyOptions SurveyOptions::read_options() const {
     ReadSurveyOptions options = read;
     options.control = control;
     if (!noise.empty()) {
-        options.noise_std = noise == estimated_noise ? first_guess : parse_noise(noise);
+        options.is_noise_guess = noise == estimated_noise;
+        options.noise_std = options.is_noise_guess ? first_guess : parse_noise(noise);
     }
     if (!offsets.empty()) {
         options.offsets.of = parse_target_offsets(read_table(offsets), offsets);

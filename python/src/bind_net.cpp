@@ -275,7 +275,8 @@ unstressed lengths.
 
 Args:
     like: the Mesh or Graph that the net was made of. Then a copy of it, with its keys, faces and
-        attributes, else a Graph with the net's numbers as keys.
+        attributes, else a Graph with the net's numbers as keys. Edges that the net does not
+        have keep theirs.
 
 Raises:
     ValueError: where it lacks a node or an edge of the net.

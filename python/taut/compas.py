@@ -127,11 +127,12 @@ def _put_on(like, graph):
         )
     for node, name in names.items():
         place(keys[name], "xyz", graph.node_attributes(node, "xyz"))
+    edges = set(result.edges())
     for start, end in graph.edges():
         edge = keys[names[start]], keys[names[end]]
-        if not result.has_edge(edge):
+        if edge not in edges:
             edge = edge[::-1]
-        if not result.has_edge(edge):
+        if edge not in edges:
             raise ValueError(f"like: got a {type(like).__name__} without the net's edge {edge}")
         result.edge_attributes(edge, of_edges, graph.edge_attributes((start, end), of_edges))
     return result

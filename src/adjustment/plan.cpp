@@ -509,11 +509,17 @@ Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits&
             fmt::format("the identification failed its checks: {}", built.failed_because));
     }
     // Only their ratios count: beside the deviations stands (turning_weight) what turning costs.
-    const std::vector<int>& free = built.net.free_nodes();
-    const double largest = std::max(target.normal_weights()(free).maxCoeff(),
-                                    target.tangential_weights()(free).maxCoeff());
+    // The median of those above 0, so that one node of a large weight does not make turning cheap.
+    std::vector<double> weights;
+    for (const int node : built.net.free_nodes()) {
+        const double normal = target.normal_weights()(node);
+        weights.push_back(normal > 0.0 ? normal : target.tangential_weights()(node));
+    }
+    std::erase(weights, 0.0);
+    const auto middle = weights.begin() + std::ssize(weights) / 2;
+    std::ranges::nth_element(weights, middle);
     FormTarget relative = target;
-    relative.set_weights(target.normal_weights() / largest, target.tangential_weights() / largest);
+    relative.set_weights(target.normal_weights() / *middle, target.tangential_weights() / *middle);
     return Planning(built, relative, limits, options, progress).make();
 }
 

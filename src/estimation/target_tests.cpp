@@ -93,10 +93,9 @@ std::vector<Hypothesis> measurement_hypotheses(const Survey& survey,
         result.push_back({.kind = Suspect::force, .index = k, .threshold = force_threshold});
     }
     if (forces.size() > 1) {
-        // One calibration or unit for all is a likelier fault than any single one.
-        constexpr double likelier = 10.0;
+        // A test of its own: one calibration or unit for all is the likeliest fault.
         result.push_back(
-            {.kind = Suspect::force_scale, .threshold = snooping_threshold(likelier * rate, 1, 1)});
+            {.kind = Suspect::force_scale, .threshold = snooping_threshold(rate, 1, 1)});
     }
     return result;
 }

@@ -286,16 +286,10 @@ bool EpochChain::find_changes(const Progress& progress) {
 void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges) {
     Changes& changes = m_changes[k];
     std::optional<LengthChange> worst = worst_change(test.changes(), edges);
-    if (worst && k > 0 && m_states[k].turned->size() > 1) {
-        // A wrong sign, unit or pitch explains all at once.
-        set_stroke_factor(changes, test, *m_states[k].turned);
-        Agreement rest = test.agreement();
-        rest.squares = std::max(0.0, rest.squares - std::pow(changes.stroke_factor_statistic(), 2));
-        --rest.rank;
-        if (changes.stroke_factor_statistic() > worst->statistic && rest.ratio() <= rest.limit()) {
-            changes.agreement = test.agreement();
-            return;
-        }
+    Changes all_at_once;
+    if (k > 0 && m_states[k].turned->size() > 1) {
+        set_stroke_factor(all_at_once, test, *m_states[k].turned);
+        all_at_once.agreement = test.agreement();
     }
     while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
         changes.lengths.push_back(*worst);
@@ -304,6 +298,11 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
         worst = worst_change(test.changes(), edges);
     }
     if (k == 0) {
+        return;
+    }
+    if (explains_changes(all_at_once, changes.lengths, *m_states[k].turned)) {
+        changes = all_at_once;
+        changes.is_of_all_turns = true;
         return;
     }
     changes.agreement = test.agreement();
@@ -319,6 +318,21 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
     if (of_turns.ratio() > of_turns.limit()) {
         changes.excess_actuator_std = test.spread(places);
     }
+}
+
+/// Whether a wrong sign, unit or pitch of all turns explains what was let go: most of the turns,
+/// with all else as chance has it.
+bool EpochChain::explains_changes(const Changes& all_at_once,
+                                  const std::vector<LengthChange>& let_go,
+                                  const std::vector<EdgeTurned>& turned) const {
+    const auto of_turns = std::ranges::count_if(let_go, [&](const LengthChange& change) {
+        return std::ranges::find(turned, change.edge, &EdgeTurned::edge) != turned.end();
+    });
+    Agreement rest = all_at_once.agreement;
+    rest.squares = std::max(0.0, rest.squares - std::pow(all_at_once.stroke_factor_statistic(), 2));
+    --rest.rank;
+    return all_at_once.are_strokes_off() && of_turns >= 2 &&
+           3 * of_turns >= 2 * std::ssize(turned) && rest.ratio() <= rest.limit();
 }
 
 /// Reports the factor by which all strokes are off, as with a wrong pitch.
@@ -407,20 +421,21 @@ double EpochChain::difference_ratio(size_t a, size_t b) const {
     if (std::ssize(both) < few) {
         return 0.0;
     }
-    double squares = 0.0;
-    int count = 0;
+    double of_difference = 0.0;
+    double of_both = 0.0;
     for (const int node : both) {
         const Eigen::Array3d variances = m_states[a].survey->noise_std.col(node).array().square() +
                                          m_states[b].survey->noise_std.col(node).array().square();
-        const Eigen::Array3d difference = errors_of(a, node) - errors_of(b, node);
+        const Eigen::Array3d first = errors_of(a, node);
+        const Eigen::Array3d second = errors_of(b, node);
         for (int axis = 0; axis < 3; ++axis) {
             if (variances(axis) > 0.0) {
-                squares += difference(axis) * difference(axis) / variances(axis);
-                ++count;
+                of_difference += std::pow(first(axis) - second(axis), 2) / variances(axis);
+                of_both += (std::pow(first(axis), 2) + std::pow(second(axis), 2)) / variances(axis);
             }
         }
     }
-    return count > 0 ? std::sqrt(squares / count) : 0.0;
+    return of_both > 0.0 ? std::sqrt(of_difference / of_both) : 0.0;
 }
 
 }  // namespace taut

@@ -41,6 +41,8 @@ public:
         /// EpochResult::stroke_factor
         double stroke_factor = 1.0;
         double stroke_factor_std = 0.0;
+        /// Whether that factor explains all: then no length is let go.
+        bool is_of_all_turns = false;
 
         /// By how many of its standard deviations the factor is not 1.
         [[nodiscard]] double stroke_factor_statistic() const {
@@ -75,7 +77,7 @@ public:
     /// A movement below this counts as converged.
     static constexpr double still = 0.1;
 
-    /// How far the targets of two surveys differ, with the same lengths, relative to their noise:
+    /// How far the errors of two surveys differ, with the same lengths, relative to what they are:
     /// about 1. After converge(); 0 where they have too few targets in common.
     [[nodiscard]] double difference_ratio(size_t a, size_t b) const;
 
@@ -115,6 +117,9 @@ private:
     [[nodiscard]] Eigen::VectorXd last_lengths() const;
     /// @param edges that may have changed
     void find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges);
+    [[nodiscard]] bool explains_changes(const Changes& all_at_once,
+                                        const std::vector<LengthChange>& let_go,
+                                        const std::vector<EdgeTurned>& turned) const;
     void set_stroke_factor(Changes& changes, const EvidenceTest& test,
                            const std::vector<EdgeTurned>& turned) const;
     [[nodiscard]] std::optional<LengthChange> worst_change(const EvidenceTest::Changes& changes,

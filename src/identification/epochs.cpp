@@ -50,6 +50,7 @@ IdentifyOptions for_sum(const CableNet& net, IdentifyOptions options, size_t sur
     return options;
 }
 
+/// In the estimates of the sum: the widths that were given for it.
 void name_given_widths(Identification& result, const std::vector<UncertainParameter>& given) {
     for (ParameterEstimate& estimate : result.uncertain) {
         UncertainParameter& parameter = estimate.parameter;
@@ -242,15 +243,10 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
 /// Reports surveys with the same errors: they would count twice.
 void add_repeats(Trust& trust, const EpochChain& chain) {
     constexpr double too_close = 0.7;
-    const auto ratio_of = [&](int k) {
-        const double ratio = chain.found(k).noise_ratio;
-        return ratio > 0.0 ? ratio : 1.0;
-    };
     for (int b = 1; b < chain.count(); ++b) {
         for (int a = 0; a < b; ++a) {
             const double difference = chain.difference_ratio(a, b);
-            if (difference > 0.0 &&
-                difference < too_close * std::hypot(ratio_of(a), ratio_of(b)) / std::sqrt(2.0)) {
+            if (difference > 0.0 && difference < too_close) {
                 trust.findings.push_back(
                     {.kind = FindingKind::repeated_survey,
                      .severity = Verdict::doubtful,
@@ -380,7 +376,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     Identification result;
     for (int k = 0; k <= last && result.status == IdentificationStatus::converged; ++k) {
         const EpochChain::Changes& changes = each.changes()[k];
-        if (changes.are_strokes_off() && changes.lengths.empty()) {
+        if (changes.is_of_all_turns) {
             result = each.found(last);
             result.status = IdentificationStatus::survey_does_not_fit;
             result.message = fmt::format(

@@ -18,6 +18,7 @@
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/mean_bias.hpp"
+#include "identification/net_balance.hpp"
 #include "identification/prior_mixture.hpp"
 #include "identification/processes.hpp"
 #include "numerics/parallel.hpp"
@@ -518,6 +519,10 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     }
     if (survey.is_noisy()) {
         take_out_mean_bias(result, net, survey, options.uncertain, progress);
+    }
+    if (const auto imbalance = local_imbalance(net);
+        imbalance && result.status == IdentificationStatus::survey_does_not_fit) {
+        result.message += " " + to_text(net, *imbalance);
     }
     result.prior_was_given = options.prior.has_value();
     result.method = to_string(method);

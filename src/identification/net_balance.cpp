@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "identification/net_balance.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "taut/statics/energy.hpp"
@@ -13,8 +16,9 @@ std::optional<NetImbalance> local_imbalance(const CableNet& net) {
     // Of the mean tension. The rest of a net that was found in equilibrium is far below.
     constexpr double least = 0.1;
     constexpr double balanced = 0.02;
-    constexpr double few = 4.0;
+    constexpr double few = 6.0;  // a node drawn in a wrong place, and those next to it
     constexpr double few_of_nodes = 0.05;
+    constexpr double most_of_nodes = 0.25;
     const double mean = imbalance(net, net.unstressed_lengths(), net.nodes()).mean_tension;
     if (!(mean > 0.0)) {
         return std::nullopt;
@@ -32,10 +36,23 @@ std::optional<NetImbalance> local_imbalance(const CableNet& net) {
         }
     }
     found.share = found.largest / mean;
-    const double most = std::max(few, few_of_nodes * net.free_node_count());
-    return found.nodes.empty() || moved > most || moved == net.free_node_count()
-               ? std::nullopt
-               : std::optional(std::move(found));
+    const double nodes = net.free_node_count();
+    const double most = std::min(std::max(few, few_of_nodes * nodes), most_of_nodes * nodes);
+    return found.nodes.empty() || moved > most ? std::nullopt : std::optional(std::move(found));
+}
+
+std::string to_text(const CableNet& net, const NetImbalance& found) {
+    constexpr size_t shown = 6;
+    std::vector<std::string> names;
+    for (size_t i = 0; i < std::min(shown, found.nodes.size()); ++i) {
+        names.push_back(net.node_id(found.nodes[i]));
+    }
+    const size_t more = found.nodes.size() - names.size();
+    return fmt::format(
+        "The net as given is in equilibrium but at {} {}{}, where up to {:.2g} N, {:.2g} times the "
+        "mean tension, are out of balance.",
+        found.nodes.size() == 1 ? "node" : "nodes", fmt::join(names, ", "),
+        more > 0 ? fmt::format(" and {} more", more) : "", found.largest, found.share);
 }
 
 }  // namespace taut

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -21,5 +22,8 @@ struct NetImbalance {
 /// then
 ///   a first guess
 [[nodiscard]] std::optional<NetImbalance> local_imbalance(const CableNet& net);
+
+/// One sentence.
+[[nodiscard]] std::string to_text(const CableNet& net, const NetImbalance& found);
 
 }  // namespace taut

@@ -731,8 +731,7 @@ private:
         if (!found) {
             return;
         }
-        const bool is_contradicted = m_result.status != IdentificationStatus::converged ||
-                                     m_result.boundary_not_released > 0 ||
+        const bool is_contradicted = m_trust.verdict() != Verdict::passed &&
                                      std::ranges::any_of(found->nodes, [this](int node) {
                                          return is_contradicted_near(node);
                                      });
@@ -743,12 +742,11 @@ private:
         for (const int node : found->nodes) {
             finding.ids.push_back(m_net.node_id(node));
         }
-        finding.reason = fmt::format(
-            "The net as given is in equilibrium but at {} {}, where up to {:.2g} N, {:.2g} times "
-            "the mean tension, are out of balance.{}",
-            finding.ids.size() == 1 ? "node" : "nodes", and_more(finding.ids), found->largest,
-            found->share, is_contradicted ? " The survey contradicts it there." : "");
-        finding.next = "Check whether a cable or a load is missing there.";
+        finding.reason =
+            to_text(m_net, *found) + (is_contradicted ? " The survey contradicts it there." : "");
+        finding.next =
+            "Check whether a cable or a load is missing there, or a node is drawn in a wrong "
+            "place.";
         add(std::move(finding));
     }
 

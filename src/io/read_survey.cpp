@@ -155,7 +155,7 @@ void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
             without.push_back(&point);
         }
     }
-    if (without.empty() && has_any && noise_std > 0.0) {
+    if (without.empty() && has_any && noise_std > 0.0 && !options.is_noise_guess) {
         const bool is_the_same = std::ranges::all_of(found.points, [&](const SurveyPoint& point) {
             return !point.noise_std || (point.noise_std->array() == noise_std).all();
         });

@@ -332,7 +332,6 @@ TEST(Diagnostics, OfAPriorThatIsTooWideIsNone) {
     EXPECT_NE(exact.trust.verdict(), Trust::Verdict::passed);
 }
 
-/// What a passed check means: errors of the size that it would have found are found as often.
 /// The net with one more cable between two of its nodes, in equilibrium.
 CableNet with_another_cable(int from, int to) {
     CableNetData data = net().data();
@@ -400,6 +399,7 @@ TEST(Diagnostics, PassesANetDrawnWithoutOneOfItsLoads) {
     EXPECT_TRUE(finds(result, Kind::net_balance, {loaded.node_id(node)}));
 }
 
+/// What a passed check means: errors of the size that it would have found are found as often.
 TEST(Diagnostics, FindsErrorsOfTheSizeThatItNames) {
     constexpr int surveys = 60;
     const CableNet saddle = hypar(7, 7);

@@ -282,6 +282,43 @@ TEST(Epochs, NameTheSignOfAFewTurnsRatherThanEach) {
     EXPECT_THAT(result.trust.findings.front().reason, HasSubstr("times as far as given"));
 }
 
+TEST(Epochs, DoNotBlameAllTurnsForOne) {
+    IdentifyOptions options = with_prior();
+    options.uncertain = {parse_uncertain_parameter("supports:1mm")};
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const std::vector<EdgeTurned> given = some_turns(seed);
+        std::vector<EdgeTurned> done = given;
+        const auto largest = std::ranges::max_element(
+            done, {}, [](const EdgeTurned& one) { return std::abs(one.stroke); });
+        largest->stroke *= -1.0;
+        const Identification result =
+            identify_epochs(net(), job_of(seed, given, done).epochs, options);
+        fprintf(stderr, "DBG seed %d turned %zu largest %d by %g\n", int(seed), given.size(), largest->edge, 2e3 * largest->stroke);
+        for (auto& f : result.trust.findings) fprintf(stderr, "DBG   %s\n", f.reason.c_str());
+        EXPECT_EQ(result.status, IdentificationStatus::converged) << result.message;
+        EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed) << seed;
+        ASSERT_FALSE(result.epochs[1].changes.empty());
+        EXPECT_EQ(result.epochs[1].changes[0].edge, largest->edge);
+    }
+}
+
+/// Where every turn is let go by itself, none is left for a factor.
+TEST(Epochs, GiveNoFactorOfTurnsThatWereLetGo) {
+    std::vector<EdgeTurned> given;
+    std::vector<EdgeTurned> done;
+    for (const size_t i : {1, 8}) {
+        given.push_back({.edge = net().adjustable_edges()[i], .stroke = 6e-3});
+        done.push_back(given.back());
+    }
+    done[0].stroke = -4e-3;
+    done[1].stroke = 14e-3;
+    const Identification result =
+        identify_epochs(net(), job_of(1, given, done).epochs, with_prior());
+    EXPECT_EQ(result.epochs[1].changes.size(), 2U);
+    EXPECT_EQ(result.epochs[1].stroke_factor, 1.0);
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
+}
+
 /// The scatter of turns is taken into account where it is given, and estimated from all turns
 /// together where it is not and no single turn stands out.
 TEST(Epochs, EstimateTheScatterOfTurns) {

@@ -35,6 +35,7 @@ struct ReadSurveyOptions {
     /// Standard deviation of each coordinate where the file gives none; empty: that of the file's
     /// rounding, 0 where it is not rounded [m].
     std::optional<double> noise_std = {};
+    bool is_noise_guess = false;  ///< whether a fit will estimate it: then it may go unused
     SurveyFrame frame = SurveyFrame::automatic;  ///< that its coordinates are in
     /// Control points id,x,y,z in the net's frame, to fit the survey's frame to instead of the
     /// supports; empty: none.
