@@ -172,6 +172,50 @@ Eigen::VectorXd FormSensitivity::apply_transposed(
     return m_factor->along_force_rates(m_factor->solve(m_factor->to_local(gradient)));
 }
 
+NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradient) const {
+    const Factor& f = *m_factor;
+    const auto nodes = static_cast<Eigen::Index>(f.net.node_of.size());
+    Factor::check_size("gradient", gradient.cols(), nodes);
+    Eigen::VectorXd multipliers(f.net.loads.size());
+    for (int i = 0; i < f.net.free_count; ++i) {
+        multipliers.segment<3>(Eigen::Index{3} * i) = gradient.col(f.net.node_of[i]);
+    }
+    multipliers = f.solve(std::move(multipliers));
+    NetGradient result{.unstressed_lengths = f.along_force_rates(multipliers),
+                       .axial_stiffness = Eigen::VectorXd::Zero(f.lengths.size()),
+                       .loads = Points::Zero(3, nodes),
+                       .nodes = Points::Zero(3, nodes)};
+    for (int i = 0; i < nodes; ++i) {
+        if (i < f.net.free_count) {
+            result.loads.col(f.net.node_of[i]) = multipliers.segment<3>(Eigen::Index{3} * i);
+        } else {
+            result.nodes.col(f.net.node_of[i]) = gradient.col(f.net.node_of[i]);
+        }
+    }
+    for (int e = 0; e < f.lengths.size(); ++e) {
+        const EdgeState& state = f.states[e];
+        if (!state.taut()) {
+            continue;
+        }
+        const Eigen::Vector3d multiplier = f.across(e, multipliers);
+        const double along = state.direction.dot(multiplier);
+        if (f.net.law(e) == nullptr) {
+            result.axial_stiffness(e) = -state.tension / f.net.axial_stiffness(e) * along;
+        }
+        const double across = state.force_density();
+        const Eigen::Vector3d pull =  // k x
+            (state.axial - across) * along * state.direction + across * multiplier;
+        const auto [s, t] = f.net.edges[e];
+        if (s >= f.net.free_count) {
+            result.nodes.col(f.net.node_of[s]) -= pull;
+        }
+        if (t >= f.net.free_count) {
+            result.nodes.col(f.net.node_of[t]) += pull;
+        }
+    }
+    return result;
+}
+
 Eigen::VectorXd FormSensitivity::apply_second(
     const Eigen::Ref<const Eigen::VectorXd>& length_changes,
     const Eigen::Ref<const Eigen::VectorXd>& more_changes) const {

@@ -82,6 +82,47 @@ TEST(FormSensitivity, TransposedIsTheGradientOfAFunctionOfTheForm) {
     EXPECT_THROW((void)sensitivity.apply_transposed(gradient.head(3)), std::invalid_argument);
 }
 
+TEST(FormSensitivity, TheGradientByTheNetIsThatOfSolvedForms) {
+    test::Random random(6);
+    CableNetData data = hypar(3, 3).data();
+    data.loads = test::uniform_points(random, data.nodes.cols(), 50.0);
+    const double stiffness = data.axial_stiffness(0);
+    data.tension_laws = {{.name = "soft",
+                          .strain = Eigen::VectorXd{{0.0, 1.0}},
+                          .tension = Eigen::VectorXd{{0.0, 0.5 * stiffness}}}};
+    data.tension_law.assign(data.edges.size(), -1);
+    data.tension_law[2] = 0;
+    const CableNet net(data);
+    const Points weights = test::uniform_points(random, net.node_count(), 1.0);
+    const auto value = [&](const CableNetData& changed) -> Eigen::VectorXd {
+        const Points form = solve_equilibrium(CableNet(changed)).form;
+        return Eigen::VectorXd::Constant(1, form.cwiseProduct(weights).sum());
+    };
+    // By the numbers that `part` gives of the data.
+    const auto slope = [&](const auto& part, double step) -> Eigen::VectorXd {
+        const auto changed = [&](const Eigen::VectorXd& numbers) {
+            CableNetData other = data;
+            part(other) = numbers;
+            return value(other);
+        };
+        return test::finite_differences(changed, part(data), step).transpose();
+    };
+    const NetGradient gradient =
+        FormSensitivity(net, net.unstressed_lengths(), solve_equilibrium(net).form)
+            .net_gradient(weights);
+    const auto close = [](const auto& got, const Eigen::VectorXd& expected) {
+        return (got.reshaped() - expected).norm() < 1e-7 * expected.norm();
+    };
+    const auto lengths = [](CableNetData& of) { return of.unstressed_lengths.reshaped(); };
+    const auto stiffnesses = [](CableNetData& of) { return of.axial_stiffness.reshaped(); };
+    const auto loads = [](CableNetData& of) { return of.loads.reshaped(); };
+    const auto nodes = [](CableNetData& of) { return of.nodes.reshaped(); };
+    EXPECT_TRUE(close(gradient.unstressed_lengths, slope(lengths, 1e-5)));
+    EXPECT_TRUE(close(gradient.axial_stiffness, slope(stiffnesses, 1e-4 * stiffness)));
+    EXPECT_TRUE(close(gradient.loads, slope(loads, 0.1)));
+    EXPECT_TRUE(close(gradient.nodes, slope(nodes, 1e-5)));
+}
+
 RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()) {
     test::Random random = test::any_random();
     // Stiff nets, whose forms change little enough for finite differences.
@@ -115,9 +156,7 @@ double error_of_second(test::Random& random, const CableNet& net, double step) {
         [&](const Eigen::VectorXd& along) { return there(along(0), w).apply(v); },
         Eigen::VectorXd::Zero(1), step);
     const Eigen::VectorXd gradient_slope = test::finite_differences(
-        [&](const Eigen::VectorXd& along) {
-            return there(along(0), v).apply_transposed(gradient);
-        },
+        [&](const Eigen::VectorXd& along) { return there(along(0), v).apply_transposed(gradient); },
         Eigen::VectorXd::Zero(1), step);
     const FormSensitivity here = there(0.0, v);
     const Eigen::VectorXd second = here.apply_second(v, w);
@@ -221,6 +260,8 @@ TEST(FormSensitivity, RefusesWrongChangesAndEdges) {
             "more_changes has 3 entries, expected 4");
     refuses([&] { (void)sensitivity.apply_second_transposed(changes, changes); },
             "gradient has 4 entries, expected 3");
+    refuses([&] { (void)sensitivity.net_gradient(Points::Zero(3, 4)); },
+            "gradient has 4 entries, expected 5");
     refuses([&] { (void)sensitivity.columns(std::vector{0, 4}); }, "names edge 4");
     refuses([&] { (void)sensitivity.columns(std::vector{-1}); }, "names edge -1");
 }
