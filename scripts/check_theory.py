@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-ROOMS = ("adjustment", "estimation", "gp", "identification", "numerics", "survey")
+ROOMS = ("adjustment", "estimation", "gp", "identification", "numerics", "statics", "survey")
 
 
 def main():

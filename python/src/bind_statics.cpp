@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -138,8 +139,8 @@ Args:
     unstressed_lengths: (m,) [m].
     start: form to begin from (n, 3), by default the net's nodes [m].)");
     nb::class_<FormSensitivity>(module, "FormSensitivity",
-                                "First derivative of the equilibrium form with respect to "
-                                "unstressed lengths; factorised once.")
+                                "First and second derivatives of the equilibrium form with "
+                                "respect to unstressed lengths; factorised once.")
         .def(
             "__init__",
             [](FormSensitivity* self, const CableNet& net, const ArrayLike& unstressed_lengths,
@@ -147,7 +148,7 @@ Args:
                 const Eigen::VectorXd lengths =
                     vector_argument(unstressed_lengths, "unstressed_lengths", net.edge_count());
                 const Points places = points_argument(form, "form", net.node_count());
-                new (self) FormSensitivity(net, lengths, places);
+                without_lock([&] { return new (self) FormSensitivity(net, lengths, places); });
             },
             nb::arg("net"), nb::arg("unstressed_lengths"), nb::arg("form"))
         .def(
@@ -169,6 +170,47 @@ Args:
             nb::arg("gradient"),
             "Gradient with respect to all unstressed lengths (m,) of a function whose gradient "
             "with respect to the free coordinates is this (3 n_I,).")
+        .def(
+            "net_gradient",
+            [](const FormSensitivity& self, const ArrayLike& gradient) {
+                const Points of_form = points_argument(gradient, "gradient", -1);
+                NetGradient found = without_lock([&] { return self.net_gradient(of_form); });
+                nb::dict result;
+                result["unstressed_lengths"] = array_of(std::move(found.unstressed_lengths));
+                result["axial_stiffness"] = array_of(std::move(found.axial_stiffness));
+                result["loads"] = array_of(std::move(found.loads));
+                result["nodes"] = array_of(std::move(found.nodes));
+                return result;
+            },
+            nb::arg("gradient"),
+            "Gradients with respect to 'unstressed_lengths' (m,), 'axial_stiffness' (m,), 'loads' "
+            "(n, 3) and 'nodes' (n, 3), the places of supports, of a function whose gradient with "
+            "respect to the form is this (n, 3). 0 by what the form does not depend on.")
+        .def(
+            "apply_second",
+            [](const FormSensitivity& self, const ArrayLike& length_changes,
+               const ArrayLike& more_changes) {
+                const Eigen::VectorXd changes =
+                    vector_argument(length_changes, "length_changes", -1);
+                const Eigen::VectorXd more = vector_argument(more_changes, "more_changes", -1);
+                return array_of(without_lock([&] { return self.apply_second(changes, more); }));
+            },
+            nb::arg("length_changes"), nb::arg("more_changes"),
+            "Second derivative of the free coordinates (3 n_I,) [m] along two changes of all "
+            "unstressed lengths (m,) [m].")
+        .def(
+            "apply_second_transposed",
+            [](const FormSensitivity& self, const ArrayLike& gradient,
+               const ArrayLike& length_changes) {
+                const Eigen::VectorXd of_form = vector_argument(gradient, "gradient", -1);
+                const Eigen::VectorXd changes =
+                    vector_argument(length_changes, "length_changes", -1);
+                return array_of(
+                    without_lock([&] { return self.apply_second_transposed(of_form, changes); }));
+            },
+            nb::arg("gradient"), nb::arg("length_changes"),
+            "Gradient with respect to all unstressed lengths (m,) of gradient @ "
+            "apply(length_changes), for a constant gradient (3 n_I,) and changes (m,).")
         .def(
             "columns",
             [](const FormSensitivity& self, const ArrayLike& edges) {

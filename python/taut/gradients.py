@@ -5,9 +5,9 @@
     form, pullback = taut.gradients.form_vjp(net, lengths)
     gradient = pullback(2.0 * (form - target))   # of |form - target|^2, by each length
 
-The derivative is that of the implicit function theorem: one factorisation of the stiffness, which
-every pullback then uses. A slack edge has a gradient of 0. Where an edge is about to go slack, the
-form has a kink, and the gradient is that of one side.
+Derivatives are those of the implicit function theorem: one factorisation of the stiffness, which
+all of them then use. By a slack edge they are 0. Where an edge is about to go slack, the form has a
+kink, and the derivatives are those of one side.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from taut import _taut
+from taut.forms import Forms, Solution
 
-__all__ = ["form_vjp", "jax_form", "torch_form"]
+__all__ = ["form_vjp", "jax_form", "net_vjp", "torch_form"]
 
 
 def form_vjp(
@@ -38,82 +39,95 @@ def form_vjp(
 
     Raises:
         ArithmeticError: where forces do not balance: there is no form to derive.
+
+    Warns:
+        RuntimeWarning: where slack edges leave nodes loose. Such a node has no form of its own, and
+            its derivatives are 0; where all edges are slack, the whole gradient is.
     """
-    solver = _taut.EquilibriumSolver(net)
     lengths = np.array(unstressed_lengths, subok=True)  # solve() refuses masks and other dtypes
-    found = solver.solve(lengths, start)
-    if not found.is_balanced:
-        raise ArithmeticError(f"no equilibrium: {found!r}")
-    sensitivity = _taut.FormSensitivity(net, lengths, found.form)
-    free = net.free_nodes
-    shape = found.form.shape
+    return _vjp(net, lengths, start, Solution.pull)
+
+
+def net_vjp(
+    net: _taut.CableNet, *, start: ArrayLike | None = None
+) -> tuple[NDArray[np.float64], Callable[[ArrayLike], dict[str, NDArray[np.float64]]]]:
+    """The form of a net, and its vector-Jacobian product by all that determines it.
+
+    Args:
+        net: whose form it is, for its own lengths.
+        start: form to begin from (n, 3), by default the net's nodes [m].
+
+    Returns:
+        The form (n, 3) [m], and a function of a cotangent (n, 3) that gives a dict of gradients by
+            the net's `unstressed_lengths` (m,), `axial_stiffness` (m,; 0 for an edge with a
+            tension law), `loads` (n, 3; 0 at supports) and `nodes` (n, 3; the places of supports,
+            0 at free nodes).
+
+    Raises and warns as form_vjp does.
+    """
+    return _vjp(net, net.unstressed_lengths, start, Solution.pull_net)
+
+
+def _vjp(net, lengths, start, pull):
+    solution = Solution(net, _taut.EquilibriumSolver(net), lengths, start)
+    shape = solution.form.shape
 
     def pullback(cotangent):
         cotangent = np.asarray(cotangent, dtype=float)
         if cotangent.shape != shape:
             raise ValueError(f"cotangent: got the shape {cotangent.shape}, expected {shape}")
-        return sensitivity.apply_transposed(cotangent[free].ravel())
+        return pull(solution, cotangent)
 
-    return found.form, pullback
+    return solution.form, pullback
 
 
 def jax_form(net: _taut.CableNet) -> Callable:
-    """form(lengths) for jax.grad and jax.jit: (m,) to (n, 3), by reverse mode.
+    """form(lengths) for JAX: (m,) to (n, 3). First and second derivatives in either mode (grad,
+    jvp, jacfwd, jacrev, hessian), jit and vmap; third derivatives raise NotImplementedError. Value
+    and derivatives for the same lengths are one solve. Warns as form_vjp does.
 
     JAX computes in single precision by default: jax.config.update("jax_enable_x64", True).
     """
     try:
-        import jax
+        from taut.forms_jax import PRIMITIVES, jnp
     except ImportError as error:
         raise ImportError("jax_form needs JAX: pip install jax") from error
-    import jax.numpy as jnp
 
-    nodes, edges = len(net.nodes), len(net.edges)
+    forms = Forms(net, most_kept=4)
 
-    def solved(lengths):
-        form, _ = form_vjp(net, lengths)
-        return np.asarray(form, dtype=lengths.dtype)
-
-    def pulled_back(lengths, cotangent):
-        _, pullback = form_vjp(net, lengths)
-        return np.asarray(pullback(cotangent), dtype=lengths.dtype)
-
-    @jax.custom_vjp
     def form(lengths):
         lengths = jnp.asarray(lengths)
-        shape = jax.ShapeDtypeStruct((nodes, 3), lengths.dtype)
-        return jax.pure_callback(solved, shape, lengths, vmap_method="sequential")
+        forms.check(lengths.shape, jnp.issubdtype(lengths.dtype, jnp.floating), lengths.dtype)
+        return PRIMITIVES["value"].bind(lengths, forms=forms)
 
-    def forward(lengths):
-        return form(lengths), jnp.asarray(lengths)
-
-    def backward(lengths, cotangent):
-        shape = jax.ShapeDtypeStruct((edges,), lengths.dtype)
-        return (
-            jax.pure_callback(pulled_back, shape, lengths, cotangent, vmap_method="sequential"),
-        )
-
-    form.defvjp(forward, backward)
     return form
 
 
 def torch_form(net: _taut.CableNet) -> Callable:
-    """form(lengths) for torch.autograd: (m,) to (n, 3), on the CPU."""
+    """form(lengths) for PyTorch: (m,) to (n, 3), computed on the CPU. First and second derivatives
+    by torch.autograd and torch.func in either mode, and vmap; third derivatives raise
+    NotImplementedError. A derivative does not solve for the form again. Warns as form_vjp does.
+
+    torch.compile leaves the call as it is, between two compiled parts; with fullgraph=True it says
+    so.
+    """
     try:
-        import torch
+        from taut.forms_torch import FUNCTIONS, torch
     except ImportError as error:
         raise ImportError("torch_form needs PyTorch: pip install torch") from error
 
-    class Form(torch.autograd.Function):
-        @staticmethod
-        def forward(context, lengths):
-            form, context.pullback = form_vjp(net, lengths.detach().cpu().double().numpy())
-            return torch.tensor(np.array(form), dtype=lengths.dtype, device=lengths.device)
+    solver = _taut.EquilibriumSolver(net)
 
-        @staticmethod
-        @torch.autograd.function.once_differentiable
-        def backward(context, cotangent):
-            gradient = context.pullback(cotangent.detach().cpu().double().numpy())
-            return torch.tensor(gradient, dtype=cotangent.dtype, device=cotangent.device)
+    def solved(lengths):
+        lengths = torch.as_tensor(lengths)
+        forms = Forms(net, solver)
+        forms.check(tuple(lengths.shape), lengths.is_floating_point(), lengths.dtype)
+        return FUNCTIONS["value"].apply(forms, lengths)
 
-    return Form.apply
+    def form(lengths):
+        if torch.compiler.is_compiling():  # not before: to import the compiler takes seconds
+            torch._dynamo.graph_break(msg="taut solves for the form outside of PyTorch")
+            return torch.compiler.disable(solved)(lengths)
+        return solved(lengths)
+
+    return form

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "statics/edge_state.hpp"
 #include "statics/stiffness_factor.hpp"
@@ -16,16 +17,25 @@ namespace taut {
 struct FormSensitivity::Factor {
     LocalNet net;
     Stiffness stiffness;
-    Eigen::Matrix3Xd force_rates;  ///< 3 x m, -dh_s/dl_0 = dh_t/dl_0 of each edge (s, t) [N/m]
-    std::vector<int> row_of;       ///< local free node -> its place in r_I
+    std::vector<EdgeState> states;
+    Eigen::VectorXd lengths;  ///< l_0 (m) [m]
+    std::vector<int> row_of;  ///< local free node -> its place in r_I
 
     explicit Factor(const CableNet& cable_net)
         : net(number_for_elimination(cable_net)), stiffness(net) {}
 
-    /// Adds -dh/dl_0 of an edge times its change of length to a right-hand side.
-    void add_force(int edge, double change, Eigen::Ref<Eigen::VectorXd> rhs) const {
+    /// -dh_s/dl_0 = dh_t/dl_0 of an edge (s, t) [N/m].
+    [[nodiscard]] Eigen::Vector3d force_rate(int edge) const {
+        const EdgeState& state = states[edge];
+        if (!state.taut()) {
+            return Eigen::Vector3d::Zero();
+        }
+        return state.axial * state.length / lengths(edge) * state.direction;
+    }
+
+    /// Adds a force at an edge's source, and its opposite at the target.
+    void add_force(int edge, const Eigen::Vector3d& force, Eigen::Ref<Eigen::VectorXd> rhs) const {
         const auto [s, t] = net.edges[edge];
-        const Eigen::Vector3d force = change * force_rates.col(edge);
         if (s < net.free_count) {
             rhs.segment<3>(Eigen::Index{3} * s) += force;
         }
@@ -34,27 +44,94 @@ struct FormSensitivity::Factor {
         }
     }
 
-    /// The inner product of -dh/dl_0 of an edge with a vector of local coordinates.
-    [[nodiscard]] double along_force(int edge, const Eigen::VectorXd& local) const {
+    /// The transpose of add_force(): values at an edge's source less those at its target.
+    [[nodiscard]] Eigen::Vector3d across(int edge, const Eigen::VectorXd& local) const {
         const auto [s, t] = net.edges[edge];
-        double sum = 0.0;
+        Eigen::Vector3d difference = Eigen::Vector3d::Zero();
         if (s < net.free_count) {
-            sum += local.segment<3>(Eigen::Index{3} * s).dot(force_rates.col(edge));
+            difference += local.segment<3>(Eigen::Index{3} * s);
         }
         if (t < net.free_count) {
-            sum -= local.segment<3>(Eigen::Index{3} * t).dot(force_rates.col(edge));
+            difference -= local.segment<3>(Eigen::Index{3} * t);
         }
-        return sum;
+        return difference;
     }
 
-    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
-        Eigen::VectorXd local = rhs;
-        stiffness.factor.solve(local);
-        Eigen::VectorXd result(local.size());
+    /// How the rates of an edge change with its ends and its length.
+    struct RateChange {
+        Eigen::Matrix3d stiffness;   ///< of k = dh_s/dr_s [N/m]
+        Eigen::Vector3d force_rate;  ///< of b = dh_s/dl_0 [N/m]
+    };
+    /// k_v and b_v of docs/theory.md (rate changes).
+    /// @param a change of r_s - r_t [m]
+    /// @param v change of l_0 [m]
+    [[nodiscard]] RateChange rate_change(int edge, const Eigen::Vector3d& a, double v) const {
+        const EdgeState& state = states[edge];
+        if (!state.taut()) {
+            return {.stiffness = Eigen::Matrix3d::Zero(), .force_rate = Eigen::Vector3d::Zero()};
+        }
+        const Eigen::Vector3d& u = state.direction;
+        const double along = u.dot(a);
+        const double bend = (state.axial - state.force_density()) / state.length;
+        const double soften = state.axial / lengths(edge);
+        return {.stiffness = bend * (u * a.transpose() + a * u.transpose() -
+                                     3.0 * along * u * u.transpose()) +
+                             (bend * along - soften * v) * Eigen::Matrix3d::Identity(),
+                .force_rate = soften * (2.0 * v * state.length / lengths(edge) * u - a)};
+    }
+
+    [[nodiscard]] Eigen::VectorXd to_local(const Eigen::Ref<const Eigen::VectorXd>& free) const {
+        Eigen::VectorXd local(free.size());
         for (int i = 0; i < net.free_count; ++i) {
-            result.segment<3>(Eigen::Index{3} * row_of[i]) = local.segment<3>(Eigen::Index{3} * i);
+            local.segment<3>(Eigen::Index{3} * i) = free.segment<3>(Eigen::Index{3} * row_of[i]);
+        }
+        return local;
+    }
+    [[nodiscard]] Eigen::VectorXd from_local(const Eigen::VectorXd& local) const {
+        Eigen::VectorXd free(local.size());
+        for (int i = 0; i < net.free_count; ++i) {
+            free.segment<3>(Eigen::Index{3} * row_of[i]) = local.segment<3>(Eigen::Index{3} * i);
+        }
+        return free;
+    }
+
+    /// H^-1 times a vector.
+    [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd local) const {
+        stiffness.factor.solve(local);
+        return local;
+    }
+
+    /// -B' times a vector.
+    [[nodiscard]] Eigen::VectorXd along_force_rates(const Eigen::VectorXd& local) const {
+        Eigen::VectorXd result(lengths.size());
+        for (int e = 0; e < result.size(); ++e) {
+            result(e) = force_rate(e).dot(across(e, local));
         }
         return result;
+    }
+
+    /// r' v.
+    [[nodiscard]] Eigen::VectorXd moves(const Eigen::Ref<const Eigen::VectorXd>& changes) const {
+        Eigen::VectorXd rhs = Eigen::VectorXd::Zero(net.loads.size());
+        for (int e = 0; e < changes.size(); ++e) {
+            if (changes(e) != 0.0) {
+                add_force(e, changes(e) * force_rate(e), rhs);
+            }
+        }
+        return solve(std::move(rhs));
+    }
+
+    void check_lengths(const char* name, const Eigen::Ref<const Eigen::VectorXd>& changes) const {
+        check_size(name, changes.size(), lengths.size());
+    }
+    void check_free(const char* name, const Eigen::Ref<const Eigen::VectorXd>& free) const {
+        check_size(name, free.size(), net.loads.size());
+    }
+    static void check_size(const char* name, Eigen::Index size, Eigen::Index expected) {
+        if (size != expected) {
+            throw std::invalid_argument(
+                fmt::format("{} has {} entries, expected {}", name, size, expected));
+        }
     }
 };
 
@@ -66,16 +143,9 @@ FormSensitivity::FormSensitivity(const CableNet& net,
     for (int i = 0; i < f.net.free_count; ++i) {
         f.row_of.push_back(net.free_index(f.net.node_of[i]));
     }
-    const auto states = edge_states(net, unstressed_lengths, form);
-    f.force_rates.setZero(3, net.edge_count());
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const EdgeState& state = states[e];
-        if (state.taut()) {
-            f.force_rates.col(e) =
-                state.axial * state.length / unstressed_lengths(e) * state.direction;
-        }
-    }
-    f.stiffness.matrix.assemble(f.net, states);
+    f.states = edge_states(net, unstressed_lengths, form);
+    f.lengths = unstressed_lengths;
+    f.stiffness.matrix.assemble(f.net, f.states);
     f.stiffness.factorize();
     if (f.stiffness.has_loose_nodes()) {
         double shift = smallest_relative_stiffness;
@@ -91,46 +161,105 @@ FormSensitivity& FormSensitivity::operator=(FormSensitivity&&) noexcept = defaul
 
 Eigen::VectorXd FormSensitivity::apply(
     const Eigen::Ref<const Eigen::VectorXd>& length_changes) const {
-    if (length_changes.size() != m_factor->force_rates.cols()) {
-        throw std::invalid_argument(fmt::format("length_changes has {} entries, expected {}",
-                                                length_changes.size(),
-                                                m_factor->force_rates.cols()));
-    }
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(m_factor->net.loads.size());
-    for (int e = 0; e < length_changes.size(); ++e) {
-        if (length_changes(e) != 0.0) {
-            m_factor->add_force(e, length_changes(e), rhs);
-        }
-    }
-    return m_factor->solve(rhs);
+    m_factor->check_lengths("length_changes", length_changes);
+    return m_factor->from_local(m_factor->moves(length_changes));
 }
 
 Eigen::VectorXd FormSensitivity::apply_transposed(
     const Eigen::Ref<const Eigen::VectorXd>& gradient) const {
+    m_factor->check_free("gradient", gradient);
+    // H is symmetric
+    return m_factor->along_force_rates(m_factor->solve(m_factor->to_local(gradient)));
+}
+
+NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradient) const {
     const Factor& f = *m_factor;
-    if (gradient.size() != f.net.loads.size()) {
-        throw std::invalid_argument(fmt::format("gradient has {} entries, expected {}",
-                                                gradient.size(), f.net.loads.size()));
-    }
-    Eigen::VectorXd local(gradient.size());
+    const auto nodes = static_cast<Eigen::Index>(f.net.node_of.size());
+    Factor::check_size("gradient", gradient.cols(), nodes);
+    Eigen::VectorXd multipliers(f.net.loads.size());
     for (int i = 0; i < f.net.free_count; ++i) {
-        local.segment<3>(Eigen::Index{3} * i) = gradient.segment<3>(Eigen::Index{3} * f.row_of[i]);
+        multipliers.segment<3>(Eigen::Index{3} * i) = gradient.col(f.net.node_of[i]);
     }
-    f.stiffness.factor.solve(local);  // H is symmetric
-    Eigen::VectorXd result(f.force_rates.cols());
-    for (int e = 0; e < result.size(); ++e) {
-        result(e) = f.along_force(e, local);
+    multipliers = f.solve(std::move(multipliers));
+    NetGradient result{.unstressed_lengths = f.along_force_rates(multipliers),
+                       .axial_stiffness = Eigen::VectorXd::Zero(f.lengths.size()),
+                       .loads = Points::Zero(3, nodes),
+                       .nodes = Points::Zero(3, nodes)};
+    for (int i = 0; i < nodes; ++i) {
+        if (i < f.net.free_count) {
+            result.loads.col(f.net.node_of[i]) = multipliers.segment<3>(Eigen::Index{3} * i);
+        } else {
+            result.nodes.col(f.net.node_of[i]) = gradient.col(f.net.node_of[i]);
+        }
+    }
+    for (int e = 0; e < f.lengths.size(); ++e) {
+        const EdgeState& state = f.states[e];
+        if (!state.taut()) {
+            continue;
+        }
+        const Eigen::Vector3d multiplier = f.across(e, multipliers);
+        const double along = state.direction.dot(multiplier);
+        if (f.net.law(e) == nullptr) {
+            result.axial_stiffness(e) = -state.tension / f.net.axial_stiffness(e) * along;
+        }
+        const double across = state.force_density();
+        const Eigen::Vector3d pull =  // k x
+            (state.axial - across) * along * state.direction + across * multiplier;
+        const auto [s, t] = f.net.edges[e];
+        if (s >= f.net.free_count) {
+            result.nodes.col(f.net.node_of[s]) -= pull;
+        }
+        if (t >= f.net.free_count) {
+            result.nodes.col(f.net.node_of[t]) += pull;
+        }
     }
     return result;
 }
 
+Eigen::VectorXd FormSensitivity::apply_second(
+    const Eigen::Ref<const Eigen::VectorXd>& length_changes,
+    const Eigen::Ref<const Eigen::VectorXd>& more_changes) const {
+    const Factor& f = *m_factor;
+    f.check_lengths("length_changes", length_changes);
+    f.check_lengths("more_changes", more_changes);
+    // docs/theory.md (second derivative)
+    const Eigen::VectorXd moves = f.moves(length_changes);
+    const Eigen::VectorXd more_moves = f.moves(more_changes);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(moves.size());
+    for (int e = 0; e < f.lengths.size(); ++e) {
+        const auto [k, b] = f.rate_change(e, f.across(e, moves), length_changes(e));
+        f.add_force(e, -(k * f.across(e, more_moves) + b * more_changes(e)), rhs);
+    }
+    return f.from_local(f.solve(std::move(rhs)));
+}
+
+Eigen::VectorXd FormSensitivity::apply_second_transposed(
+    const Eigen::Ref<const Eigen::VectorXd>& gradient,
+    const Eigen::Ref<const Eigen::VectorXd>& length_changes) const {
+    const Factor& f = *m_factor;
+    f.check_free("gradient", gradient);
+    f.check_lengths("length_changes", length_changes);
+    const Eigen::VectorXd moves = f.moves(length_changes);
+    const Eigen::VectorXd multipliers = f.solve(f.to_local(gradient));
+    Eigen::VectorXd direct(f.lengths.size());
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(moves.size());
+    for (int e = 0; e < f.lengths.size(); ++e) {
+        const auto [k, b] = f.rate_change(e, f.across(e, moves), length_changes(e));
+        const Eigen::Vector3d multiplier = f.across(e, multipliers);
+        direct(e) = -b.dot(multiplier);
+        f.add_force(e, -(k * multiplier), rhs);
+    }
+    return direct + f.along_force_rates(f.solve(std::move(rhs)));
+}
+
 Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
-    check_edges(m_factor->force_rates.cols(), edges);
-    Eigen::MatrixXd result(m_factor->net.loads.size(), static_cast<Eigen::Index>(edges.size()));
+    const Factor& f = *m_factor;
+    check_edges(f.lengths.size(), edges);
+    Eigen::MatrixXd result(f.net.loads.size(), static_cast<Eigen::Index>(edges.size()));
     for (size_t k = 0; k < edges.size(); ++k) {
         Eigen::VectorXd rhs = Eigen::VectorXd::Zero(result.rows());
-        m_factor->add_force(edges[k], 1.0, rhs);
-        result.col(static_cast<Eigen::Index>(k)) = m_factor->solve(rhs);
+        f.add_force(edges[k], f.force_rate(edges[k]), rhs);
+        result.col(static_cast<Eigen::Index>(k)) = f.from_local(f.solve(std::move(rhs)));
     }
     return result;
 }

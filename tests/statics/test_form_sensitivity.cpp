@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against first derivatives that are not those of the form: identification from a survey
-// then changes lengths the wrong way.
+// Guards against derivatives that are not those of the form: identification from a survey then
+// changes lengths the wrong way, and searches with second derivatives step astray.
 #include "taut/statics/form_sensitivity.hpp"
 
 #include <gmock/gmock.h>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/finite_differences.hpp"
+#include "support/random_laws.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -81,6 +82,47 @@ TEST(FormSensitivity, TransposedIsTheGradientOfAFunctionOfTheForm) {
     EXPECT_THROW((void)sensitivity.apply_transposed(gradient.head(3)), std::invalid_argument);
 }
 
+TEST(FormSensitivity, TheGradientByTheNetIsThatOfSolvedForms) {
+    test::Random random(6);
+    CableNetData data = hypar(3, 3).data();
+    data.loads = test::uniform_points(random, data.nodes.cols(), 50.0);
+    const double stiffness = data.axial_stiffness(0);
+    data.tension_laws = {{.name = "soft",
+                          .strain = Eigen::VectorXd{{0.0, 1.0}},
+                          .tension = Eigen::VectorXd{{0.0, 0.5 * stiffness}}}};
+    data.tension_law.assign(data.edges.size(), -1);
+    data.tension_law[2] = 0;
+    const CableNet net(data);
+    const Points weights = test::uniform_points(random, net.node_count(), 1.0);
+    const auto value = [&](const CableNetData& changed) -> Eigen::VectorXd {
+        const Points form = solve_equilibrium(CableNet(changed)).form;
+        return Eigen::VectorXd::Constant(1, form.cwiseProduct(weights).sum());
+    };
+    // By the numbers that `part` gives of the data.
+    const auto slope = [&](const auto& part, double step) -> Eigen::VectorXd {
+        const auto changed = [&](const Eigen::VectorXd& numbers) {
+            CableNetData other = data;
+            part(other) = numbers;
+            return value(other);
+        };
+        return test::finite_differences(changed, part(data), step).transpose();
+    };
+    const NetGradient gradient =
+        FormSensitivity(net, net.unstressed_lengths(), solve_equilibrium(net).form)
+            .net_gradient(weights);
+    const auto close = [](const auto& got, const Eigen::VectorXd& expected) {
+        return (got.reshaped() - expected).norm() < 1e-7 * expected.norm();
+    };
+    const auto lengths = [](CableNetData& of) { return of.unstressed_lengths.reshaped(); };
+    const auto stiffnesses = [](CableNetData& of) { return of.axial_stiffness.reshaped(); };
+    const auto loads = [](CableNetData& of) { return of.loads.reshaped(); };
+    const auto nodes = [](CableNetData& of) { return of.nodes.reshaped(); };
+    EXPECT_TRUE(close(gradient.unstressed_lengths, slope(lengths, 1e-5)));
+    EXPECT_TRUE(close(gradient.axial_stiffness, slope(stiffnesses, 1e-4 * stiffness)));
+    EXPECT_TRUE(close(gradient.loads, slope(loads, 0.1)));
+    EXPECT_TRUE(close(gradient.nodes, slope(nodes, 1e-5)));
+}
+
 RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()) {
     test::Random random = test::any_random();
     // Stiff nets, whose forms change little enough for finite differences.
@@ -96,6 +138,67 @@ RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()
     }
     const Eigen::MatrixXd slope = solved_derivative(net, lengths, e.form, 1e-6);
     RC_ASSERT((columns - slope).norm() < 1e-5 * (1.0 + columns.norm()));
+}
+
+/// The largest error of r''[v, w] and g . r''[v, .] against differences of first derivatives, for
+/// random v, w and g, relative to their norms where those exceed 1.
+double error_of_second(test::Random& random, const CableNet& net, double step) {
+    EquilibriumSolver solver(net);
+    const Eigen::VectorXd lengths = net.unstressed_lengths();
+    const Eigen::VectorXd v = test::uniform_vector(random, net.edge_count(), 1.0);
+    const Eigen::VectorXd w = test::uniform_vector(random, net.edge_count(), 1.0);
+    const Eigen::VectorXd gradient = test::uniform_vector(random, 3 * net.free_node_count(), 1.0);
+    const auto there = [&](double along, const Eigen::VectorXd& change) {
+        const Eigen::VectorXd l_0 = lengths + along * change;
+        return FormSensitivity(net, l_0, solver.solve(l_0, net.nodes()).form);
+    };
+    const Eigen::VectorXd move_slope = test::finite_differences(
+        [&](const Eigen::VectorXd& along) { return there(along(0), w).apply(v); },
+        Eigen::VectorXd::Zero(1), step);
+    const Eigen::VectorXd gradient_slope = test::finite_differences(
+        [&](const Eigen::VectorXd& along) { return there(along(0), v).apply_transposed(gradient); },
+        Eigen::VectorXd::Zero(1), step);
+    const FormSensitivity here = there(0.0, v);
+    const Eigen::VectorXd second = here.apply_second(v, w);
+    const Eigen::VectorXd transposed = here.apply_second_transposed(gradient, v);
+    EXPECT_NEAR(transposed.dot(w), gradient.dot(second), 1e-9 * (1.0 + second.norm()));
+    EXPECT_LT((second - here.apply_second(w, v)).norm(), 1e-9 * (1.0 + second.norm()));
+    return std::max((second - move_slope).norm() / (1.0 + second.norm()),
+                    (transposed - gradient_slope).norm() / (1.0 + transposed.norm()));
+}
+
+TEST(FormSensitivity, SecondDerivativesAreTheSlopeOfTheFirst) {
+    test::Random random(5);
+    EXPECT_LT(error_of_second(random, hypar(5, 5), 1e-5), 1e-7);
+    EXPECT_LT(error_of_second(random, hilo_quarter(), 1e-6), 1e-6);
+}
+
+TEST(FormSensitivity, SecondDerivativesAreTheSlopeOfTheFirstWithTensionLawsAndSlackEdges) {
+    int tried = 0;
+    for (int seed = 0; seed < 300; ++seed) {
+        test::Random random(seed);
+        const CableNet net(test::with_random_laws(
+            random,
+            test::random_net_data(random, {.smallest_strain = -0.1, .largest_strain = 0.3})));
+        const Equilibrium e = solve_equilibrium(net);
+        if (e.status == EquilibriumStatus::converged &&
+            test::distance_from_corners(net, e.form) > 1e-3) {
+            EXPECT_LT(error_of_second(random, net, 1e-5), 1e-6) << seed;
+            ++tried;
+        }
+    }
+    EXPECT_GE(tried, 10);
+}
+
+TEST(FormSensitivity, SecondDerivativesOfSlackEdgesAreZero) {
+    const CableNet net(test::cross_with_a_loose_node_data());
+    const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd slack = Eigen::VectorXd::Unit(5, 4);
+    const Eigen::VectorXd all = Eigen::VectorXd::Ones(5);
+    const Eigen::VectorXd gradient = Eigen::VectorXd::LinSpaced(6, 1.0, 2.0);
+    EXPECT_TRUE(sensitivity.apply_second(slack, all).isZero(0.0));
+    EXPECT_TRUE(sensitivity.apply_second_transposed(gradient, slack).isZero(0.0));
+    EXPECT_EQ(sensitivity.apply_second_transposed(gradient, all)(4), 0.0);
 }
 
 TEST(FormSensitivity, LeavesLooseNodesWhereTheyAre) {
@@ -152,6 +255,13 @@ TEST(FormSensitivity, RefusesWrongChangesAndEdges) {
     const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
     refuses([&] { (void)sensitivity.apply(Eigen::VectorXd::Zero(5)); },
             "length_changes has 5 entries, expected 4");
+    const Eigen::VectorXd changes = Eigen::VectorXd::Zero(4);
+    refuses([&] { (void)sensitivity.apply_second(changes, Eigen::VectorXd::Zero(3)); },
+            "more_changes has 3 entries, expected 4");
+    refuses([&] { (void)sensitivity.apply_second_transposed(changes, changes); },
+            "gradient has 4 entries, expected 3");
+    refuses([&] { (void)sensitivity.net_gradient(Points::Zero(3, 4)); },
+            "gradient has 4 entries, expected 5");
     refuses([&] { (void)sensitivity.columns(std::vector{0, 4}); }, "names edge 4");
     refuses([&] { (void)sensitivity.columns(std::vector{-1}); }, "names edge -1");
 }

@@ -24,6 +24,7 @@
 namespace taut {
 namespace {
 
+using test::distance_from_corners;
 using test::largest_distance;
 
 /// The built-in lattice with edges that start at half their stiffness, have a constructional
@@ -45,20 +46,6 @@ CableNet two_slope_hypar(double length_error) {
             test::uniform(random, -length_error, length_error);
     }
     return CableNet(std::move(data));
-}
-
-/// Least distance of a strain from a corner of its law.
-double distance_from_corners(const CableNet& net, const Points& form) {
-    const Eigen::VectorXd lengths = edge_lengths(net, form);
-    double least = 1.0;
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const double strain = lengths(e) / net.unstressed_lengths()(e) - 1.0;
-        least = std::min(least, std::abs(strain));
-        if (const TensionLaw* law = net.tension_law(e); law != nullptr) {
-            least = std::min(least, (law->strain.array() - strain).abs().minCoeff());
-        }
-    }
-    return least;
 }
 
 TEST(TensionLaws, OfACrossGiveTheirTensionsAndEnergy) {

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "support/random_nets.hpp"
 #include "taut/net/tension_law.hpp"
+#include "taut/statics/tensions.hpp"
 
 /// Random piecewise linear tension laws.
 namespace taut::test {
@@ -67,6 +70,20 @@ inline CableNetData with_straight_laws(CableNetData data) {
             {.name = "straight", .strain = strain, .tension = stiffness * strain});
     }
     return data;
+}
+
+/// Least distance of an edge's strain from a corner of its law, and from 0.
+inline double distance_from_corners(const CableNet& net, const Points& form) {
+    const Eigen::VectorXd lengths = edge_lengths(net, form);
+    double least = 1.0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const double strain = lengths(e) / net.unstressed_lengths()(e) - 1.0;
+        least = std::min(least, std::abs(strain));
+        if (const TensionLaw* law = net.tension_law(e); law != nullptr) {
+            least = std::min(least, (law->strain.array() - strain).abs().minCoeff());
+        }
+    }
+    return least;
 }
 
 }  // namespace taut::test

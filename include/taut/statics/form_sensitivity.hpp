@@ -12,13 +12,23 @@
 
 namespace taut {
 
-/// First derivative of the equilibrium form with respect to unstressed lengths. By the implicit
-/// function theorem on h(r_I, l_0) = 0 (eq. h), with the stiffness H = dh/dr_I:
+/// The gradient of a function of the equilibrium form by what a net is made of.
+struct NetGradient {
+    Eigen::VectorXd unstressed_lengths;  ///< m
+    Eigen::VectorXd axial_stiffness;     ///< m; 0 for an edge with a tension law
+    Points loads;                        ///< 3 x n; 0 at supports
+    Points nodes;                        ///< 3 x n, places of supports; 0 at free nodes
+};
+
+/// First and second derivatives of the equilibrium form with respect to unstressed lengths. By the
+/// implicit function theorem on h(r_I, l_0) = 0 (eq. h), with the stiffness H = dh/dr_I:
 ///
 ///     dr_I/dl_0 = -H^-1 dh/dl_0,   dh_s/dl_0(s,t) = -EA (r_s - r_t) / l_0^2   (0 for a slack edge)
 ///
-/// H is factorised once, on construction; each derivative is then a pair of triangular solves. It
-/// holds a copy of what it needs of the net. One object may be used by several threads at once. A
+/// and once more, docs/theory.md (second derivative). Where an edge goes slack or taut, and at a
+/// corner of a tension law, the form has a kink: derivatives are those of the side it is on. H is
+/// factorised once, on construction; each derivative is then one or three solves with it. It holds
+/// a copy of what it needs of the net. One object may be used by several threads at once. A
 /// moved-from object may only be assigned to or destroyed.
 class TAUT_CORE_EXPORT FormSensitivity {
 public:
@@ -49,6 +59,30 @@ public:
     /// @throws std::invalid_argument for a wrong size
     [[nodiscard]] Eigen::VectorXd apply_transposed(
         const Eigen::Ref<const Eigen::VectorXd>& gradient) const;
+
+    /// The same for all that a net is made of: with x = H^-1 g, the gradient by anything else p is
+    /// -(dh/dp)' x. One pair of triangular solves.
+    /// @param gradient of a function of the form by all nodes, supports included (3 x n)
+    /// @throws std::invalid_argument for a wrong size
+    [[nodiscard]] NetGradient net_gradient(const Eigen::Ref<const Points>& gradient) const;
+
+    /// r''[v, w]: the second derivative of the free coordinates (3 n_I) [m] along two changes of
+    /// all unstressed lengths (m) [m]. Symmetric in them; with v = w, twice the term of second
+    /// order.
+    /// @throws std::invalid_argument for a wrong size
+    [[nodiscard]] Eigen::VectorXd apply_second(
+        const Eigen::Ref<const Eigen::VectorXd>& length_changes,
+        const Eigen::Ref<const Eigen::VectorXd>& more_changes) const;
+
+    /// g . r''[v, .]: the gradient with respect to all unstressed lengths (m) of g . apply(v), for
+    /// a constant g. The Hessian of a function f of the form, of gradient g, times v is this plus
+    /// apply_transposed(f'' apply(v)). The unit is that of g.
+    /// @param gradient g, in the order of r_I (3 n_I)
+    /// @param length_changes v, of all edges (m) [m]
+    /// @throws std::invalid_argument for a wrong size
+    [[nodiscard]] Eigen::VectorXd apply_second_transposed(
+        const Eigen::Ref<const Eigen::VectorXd>& gradient,
+        const Eigen::Ref<const Eigen::VectorXd>& length_changes) const;
 
     /// The columns of dr_I/dl_0 for the given edges (3 n_I x edges.size()) [m/m].
     /// @throws std::invalid_argument for an edge that the net does not have
