@@ -36,12 +36,12 @@ bool is_of_each_survey(const UncertainParameter& parameter) {
     return parameter.kind == Kind::supports || parameter.kind == Kind::loads_each;
 }
 
-/// (epoch-own)
-IdentifyOptions for_sum(const CableNet& net, IdentifyOptions options, size_t surveys) {
+/// The same with other widths of what each survey has its own of, (epoch-own).
+IdentifyOptions with_own_widths(const CableNet& net, IdentifyOptions options, double factor) {
     const double widest_support = net.unstressed_lengths().minCoeff() / 3.0;  // may be uncertain
     for (UncertainParameter& one : options.uncertain) {
         if (is_of_each_survey(one)) {
-            one.std *= std::sqrt(static_cast<double>(surveys));
+            one.std *= factor;
         }
         if (one.kind == Kind::supports) {
             one.std = std::min(one.std, widest_support);
@@ -369,13 +369,22 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     const std::vector<Epoch> scaled =
         options.estimate_noise ? with_noise_found(net, epochs, alone, noise_scales, progress)
                                : std::vector<Epoch>(epochs.begin(), epochs.end());
-    EpochChain each(net, scaled, options, prior,
-                    net.adjustable_edges().empty() ? 0.0 : small_actuator_std(scaled));
+    const double least_actuator_std =
+        net.adjustable_edges().empty() ? 0.0 : small_actuator_std(scaled);
+    constexpr double left_of_own = 0.5;  // by trial: of two surveys' most cancels
+    const IdentifyOptions to_compare = with_own_widths(net, options, left_of_own);
+    EpochChain each(net, scaled, to_compare, prior, least_actuator_std);
     const bool is_compared = each.find_changes(progress);
     const int last = each.count() - 1;
+    std::vector<EpochChain::Changes> changed = each.changes();
+    if (is_compared && to_compare.uncertain != options.uncertain) {
+        // With the net it does not.
+        EpochChain start(net, std::span(scaled).first(1), options, prior, least_actuator_std);
+        changed[0] = start.find_changes(progress) ? start.changes()[0] : EpochChain::Changes();
+    }
     Identification result;
     for (int k = 0; k <= last && result.status == IdentificationStatus::converged; ++k) {
-        const EpochChain::Changes& changes = each.changes()[k];
+        const EpochChain::Changes& changes = changed[static_cast<size_t>(k)];
         if (changes.is_of_all_turns) {
             result = each.found(last);
             result.status = IdentificationStatus::survey_does_not_fit;
@@ -399,8 +408,9 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     }
     Trust together;
     if (result.status == IdentificationStatus::converged) {
-        const IdentifyOptions to_add = for_sum(net, options, epochs.size());
-        EpochChain chain(net, scaled, to_add, prior, 0.0, each.changes());
+        const IdentifyOptions to_add =
+            with_own_widths(net, options, std::sqrt(static_cast<double>(epochs.size())));
+        EpochChain chain(net, scaled, to_add, prior, 0.0, changed);
         const std::optional<double> movement = chain.converge(progress);
         if (movement) {
             result = identify_by_maximum_a_posteriori(
@@ -427,10 +437,10 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                                        *movement),
                  .next = "Identify from the last survey alone, and compare."});
         }
-        result.epochs = epoch_results(chain, first, each.changes(), scaled, noise_scales);
+        result.epochs = epoch_results(chain, first, changed, scaled, noise_scales);
         result.epochs.back().trust = trust_of(chain.net_at(last), scaled.back().survey, result);
     } else {
-        result.epochs = epoch_results(each, first, each.changes(), scaled, noise_scales);
+        result.epochs = epoch_results(each, first, changed, scaled, noise_scales);
     }
     if (!is_compared) {
         together.findings.push_back(

@@ -293,8 +293,6 @@ TEST(Epochs, DoNotBlameAllTurnsForOne) {
         largest->stroke *= -1.0;
         const Identification result =
             identify_epochs(net(), job_of(seed, given, done).epochs, options);
-        fprintf(stderr, "DBG seed %d turned %zu largest %d by %g\n", int(seed), given.size(), largest->edge, 2e3 * largest->stroke);
-        for (auto& f : result.trust.findings) fprintf(stderr, "DBG   %s\n", f.reason.c_str());
         EXPECT_EQ(result.status, IdentificationStatus::converged) << result.message;
         EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed) << seed;
         ASSERT_FALSE(result.epochs[1].changes.empty());
