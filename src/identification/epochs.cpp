@@ -19,6 +19,7 @@
 #include "identification/assumptions.hpp"
 #include "identification/epoch_chain.hpp"
 #include "identification/maximum_a_posteriori.hpp"
+#include "identification/prior_mixture.hpp"
 
 namespace taut {
 namespace {
@@ -334,6 +335,59 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
     return results;
 }
 
+/// What identify_epochs() has found before all surveys are added up.
+struct Comparison {
+    const CableNet& net;
+    const std::vector<Epoch>& epochs;  ///< with their noise
+    const IdentifyOptions& options;    ///< with_own_widths()
+    const std::vector<EpochChain::Changes>& changes;
+};
+
+Identification last_of(const EpochChain& chain, const Comparison& of, int draws, std::uint64_t seed,
+                       const Progress& progress) {
+    const int last = chain.count() - 1;
+    return identify_by_maximum_a_posteriori(chain.net_at(last), of.epochs.back().survey,
+                                            chain.given(last), {}, {.count = draws, .seed = seed},
+                                            progress);
+}
+
+/// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
+/// @return empty where one prior does, and where the surveys converge under too few
+std::optional<Identification> over_priors(const Comparison& of, const std::vector<PriorNode>& nodes,
+                                          const Progress& progress) {
+    constexpr int fewest_draws = 10;
+    constexpr double most_left_out = 0.1;
+    if (nodes.size() < 2) {
+        return std::nullopt;
+    }
+    std::vector<double> weights(nodes.size());
+    std::ranges::transform(nodes, weights.begin(), &PriorNode::weight);
+    const int draws = of.options.draws;
+    const std::vector<int> shares = shared_out(draws, weights);
+    std::vector<WeightedIdentification> parts;
+    double converged = 0.0;
+    for (size_t k = 0; k < nodes.size(); ++k) {
+        EpochChain chain(of.net, of.epochs, of.options, nodes[k].prior, 0.0, of.changes);
+        if (!chain.converge(progress)) {
+            continue;
+        }
+        const int share = draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
+        Identification part = last_of(chain, of, share, of.options.seed + k, progress);
+        if (part.status == IdentificationStatus::converged) {
+            converged += nodes[k].weight;
+            parts.push_back({.weight = nodes[k].weight, .result = std::move(part)});
+        }
+    }
+    if (converged < 1.0 - most_left_out) {
+        return std::nullopt;
+    }
+    for (WeightedIdentification& part : parts) {
+        part.weight /= converged;
+    }
+    const CableNet last = balanced_net(of.net, turned_until(of.epochs, of.epochs.size() - 1));
+    return mixture_of(last, of.epochs.back().survey, std::move(parts), draws);
+}
+
 }  // namespace
 
 Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
@@ -363,7 +417,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     // The first survey alone gives the prior and the noise where they are not given.
     const Identification first =
         with_epoch(0, [&] { return identify(net, epochs.front().survey, alone, progress); });
-    // All surveys share it, taken as exact.
+    // Surveys are compared under it, and added up under all that the first leaves.
     const LengthPrior prior = central_prior(first.prior);
     std::vector<double> noise_scales(epochs.size(), first.noise_scale);
     const std::vector<Epoch> scaled =
@@ -407,15 +461,19 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         }
     }
     Trust together;
+    bool is_mixture = false;
     if (result.status == IdentificationStatus::converged) {
         const IdentifyOptions to_add =
             with_own_widths(net, options, std::sqrt(static_cast<double>(epochs.size())));
         EpochChain chain(net, scaled, to_add, prior, 0.0, changed);
         const std::optional<double> movement = chain.converge(progress);
         if (movement) {
-            result = identify_by_maximum_a_posteriori(
-                chain.net_at(last), scaled.back().survey, chain.given(last), {},
-                {.count = options.draws, .seed = options.seed}, progress);
+            const Comparison of{net, scaled, to_add, changed};
+            std::optional<Identification> mixture =
+                first.prior.exact ? std::nullopt : over_priors(of, first.prior.nodes, progress);
+            is_mixture = mixture.has_value();
+            result = mixture ? *std::move(mixture)
+                             : last_of(chain, of, options.draws, options.seed, progress);
             name_given_widths(result, options.uncertain);
             add_repeats(together, chain);
         } else {
@@ -451,7 +509,9 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
              .next = "Look at each survey by itself."});
     }
     result.prior = first.prior;
-    result.prior.nodes = {{.prior = prior}};
+    if (!is_mixture) {
+        result.prior.nodes = {{.prior = prior}};
+    }
     result.contradicted_prior = first.contradicted_prior;
     result.prior_was_given = options.prior.has_value();
     result.turned = turned_until(epochs, epochs.size() - 1);

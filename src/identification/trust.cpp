@@ -735,7 +735,6 @@ private:
                                      std::ranges::any_of(found->nodes, [this](int node) {
                                          return is_contradicted_near(node);
                                      });
-        // What is contradicted elsewhere may follow from it.
         Finding finding{.kind = FindingKind::net_balance,
                         .severity = is_contradicted ? Verdict::failed : m_trust.verdict(),
                         .value = found->share};
@@ -747,7 +746,8 @@ private:
         finding.next =
             "Check whether a cable or a load is missing there, or a node is drawn in a wrong "
             "place.";
-        add(std::move(finding));
+        // The first to look at: what else contradicts the survey may follow from it.
+        m_trust.findings.insert(m_trust.findings.begin(), std::move(finding));
     }
 
     const CableNet& m_net;
