@@ -83,7 +83,9 @@ RunningProgram::~RunningProgram() {
 }
 
 void RunningProgram::send(int signal) const {
-    kill(m_process, signal);
+    if (m_process > 0) {
+        kill(m_process, signal);
+    }
 }
 
 Outcome RunningProgram::wait() {

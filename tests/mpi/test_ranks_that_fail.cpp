@@ -105,6 +105,15 @@ protected:
                 start({processes, "sample", "net.json", "-n", endless, "-o", "data.h5", "--quiet"});
             std::this_thread::sleep_for(delay);
             deed(run);
+            // Open MPI's mpiexec has been seen to wait for itself when its processes were gone.
+            const std::jthread watchdog([&run](const std::stop_token& ended) {
+                for (int k = 0; k < 600 && !ended.stop_requested(); ++k) {
+                    std::this_thread::sleep_for(milliseconds(100));
+                }
+                if (!ended.stop_requested()) {
+                    run.send(SIGKILL);
+                }
+            });
             Outcome outcome = run.wait();
             if (partial_size() > 0) {
                 return outcome;
