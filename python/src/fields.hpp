@@ -66,7 +66,7 @@ TAUT_FIELDS(gp::KernelSpectrum, inverse_length_scale, eigenvalues, eigenvectors,
             tail_largest)
 TAUT_FIELDS(gp::Process, status, hyperparameters, negative_log_likelihood, leave_one_out_rmse,
             spectrum, approximation_error)
-TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights)
+TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights, decompositions, is_converged)
 
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
@@ -78,7 +78,7 @@ TAUT_FIELDS(ForceBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths)
 TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)
-TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature)
+TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force_scale)
 TAUT_FIELDS(PriorNode, prior, weight)
 TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, adjustable,
             adjustable_std)
