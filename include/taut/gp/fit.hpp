@@ -51,9 +51,8 @@ struct TAUT_CORE_EXPORT FittedProcesses {
     std::vector<KernelSpectrum> spectra;  ///< one for each lambda in use
     std::vector<Process> processes;       ///< m
     Eigen::MatrixXd weights;  ///< (R + eta I)^-1 y of each output (n x m); 0 if not fitted
-    /// Of the search for lambda: decompositions made, and whether it ended before max_spectra, with
-    /// no output that expects to gain more. Files do not keep them: 0, and true.
-    int decompositions = 0;
+    int decompositions = 0;   ///< made in the search for lambda; 0 of a model that was read
+    /// Whether the search ended before max_spectra, with no output that expects to gain more.
     bool is_converged = true;
 
     /// Eqs. mx_* and sigmax_* at new inputs (d x k).
