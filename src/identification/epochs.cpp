@@ -355,37 +355,18 @@ Identification last_of(const EpochChain& chain, const Comparison& of, int draws,
 /// @return empty where one prior does, and where the surveys converge under too few
 std::optional<Identification> over_priors(const Comparison& of, const std::vector<PriorNode>& nodes,
                                           const Progress& progress) {
-    constexpr int fewest_draws = 10;
-    constexpr double most_left_out = 0.1;
     if (nodes.size() < 2) {
         return std::nullopt;
     }
-    std::vector<double> weights(nodes.size());
-    std::ranges::transform(nodes, weights.begin(), &PriorNode::weight);
-    const int draws = of.options.draws;
-    const std::vector<int> shares = shared_out(draws, weights);
-    std::vector<WeightedIdentification> parts;
-    double converged = 0.0;
-    for (size_t k = 0; k < nodes.size(); ++k) {
-        EpochChain chain(of.net, of.epochs, of.options, nodes[k].prior, 0.0, of.changes);
-        if (!chain.converge(progress)) {
-            continue;
-        }
-        const int share = draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
-        Identification part = last_of(chain, of, share, of.options.seed + k, progress);
-        if (part.status == IdentificationStatus::converged) {
-            converged += nodes[k].weight;
-            parts.push_back({.weight = nodes[k].weight, .result = std::move(part)});
-        }
-    }
-    if (converged < 1.0 - most_left_out) {
-        return std::nullopt;
-    }
-    for (WeightedIdentification& part : parts) {
-        part.weight /= converged;
-    }
     const CableNet last = balanced_net(of.net, turned_until(of.epochs, of.epochs.size() - 1));
-    return mixture_of(last, of.epochs.back().survey, std::move(parts), draws);
+    return mixture_over(
+        last, of.epochs.back().survey, nodes, of.options.draws,
+        [&](size_t k, int draws) -> std::optional<Identification> {
+            EpochChain chain(of.net, of.epochs, of.options, nodes[k].prior, 0.0, of.changes);
+            return chain.converge(progress)
+                       ? std::optional(last_of(chain, of, draws, of.options.seed + k, progress))
+                       : std::nullopt;
+        });
 }
 
 }  // namespace

@@ -357,35 +357,18 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         prior.nodes.front().prior = centre.length_prior;
         return centre;
     }
-    std::vector<double> weights(prior.nodes.size());
-    std::ranges::transform(prior.nodes, weights.begin(), &PriorNode::weight);
-    // Fewer draws would not show whether they are reliable.
-    constexpr int fewest_draws = 10;
-    const std::vector<int> shares = shared_out(options.draws, weights);
-    std::vector<WeightedIdentification> parts;
-    for (size_t k = 0; k < prior.nodes.size(); ++k) {
+    auto mixture = mixture_over(net, survey, prior.nodes, options.draws, [&](size_t k, int draws) {
         IdentifyOptions by_node = options;
-        by_node.draws = options.draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
+        by_node.draws = draws;
         by_node.seed = options.seed + k;
-        Identification part = identify_and_audit(
+        return std::optional(identify_and_audit(
             method, net, survey, {.prior = prior.nodes[k].prior, .around = {}, .has_trend = true},
-            by_node, progress);
-        if (part.status == IdentificationStatus::converged) {
-            parts.push_back({.weight = prior.nodes[k].weight, .result = std::move(part)});
-        }
-    }
-    constexpr double most_left_out = 0.1;
-    double converged = 0.0;
-    for (const WeightedIdentification& part : parts) {
-        converged += part.weight;
-    }
-    if (converged < 1.0 - most_left_out) {
+            by_node, progress));
+    });
+    if (!mixture) {
         return centre;
     }
-    for (WeightedIdentification& part : parts) {
-        part.weight /= converged;
-    }
-    Identification result = mixture_of(net, survey, std::move(parts), options.draws);
+    Identification result = *std::move(mixture);
     prior.common = result.prior.common;
     result.prior = std::move(prior);
     result.contradicted_prior = centre.contradicted_prior;
@@ -520,9 +503,9 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (survey.is_noisy()) {
         take_out_mean_bias(result, net, survey, options.uncertain, progress);
     }
-    if (const auto imbalance = local_imbalance(net);
-        imbalance && result.status == IdentificationStatus::survey_does_not_fit) {
-        result.message += " " + to_text(net, *imbalance);
+    if (result.status == IdentificationStatus::survey_does_not_fit) {
+        const std::string text = net_balance_text(net);
+        result.message += (text.empty() ? "" : " ") + text;
     }
     result.prior_was_given = options.prior.has_value();
     result.method = to_string(method);

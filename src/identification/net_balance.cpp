@@ -6,11 +6,23 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "taut/statics/energy.hpp"
 #include "taut/statics/imbalance.hpp"
 
 namespace taut {
+namespace {
+
+using Verdict = Trust::Verdict;
+
+struct NetImbalance {
+    std::vector<int> nodes;  ///< free ones, ascending
+    double largest = 0.0;    ///< force out of balance at one of them [N]
+    double share = 0.0;      ///< of the mean tension
+};
 
 std::optional<NetImbalance> local_imbalance(const CableNet& net) {
     // Of the mean tension. The rest of a net that was found in equilibrium is far below.
@@ -53,6 +65,55 @@ std::string to_text(const CableNet& net, const NetImbalance& found) {
         "mean tension, are out of balance.",
         found.nodes.size() == 1 ? "node" : "nodes", fmt::join(names, ", "),
         more > 0 ? fmt::format(" and {} more", more) : "", found.largest, found.share);
+}
+
+/// Whether the survey contradicts something at a node or at those next to it.
+bool is_contradicted_near(const CableNet& net, const Identification& result, int node) {
+    const std::span<const int> neighbours = net.neighbours(node);
+    const auto is_near = [&](int other) {
+        return other == node || std::ranges::find(neighbours, other) != neighbours.end();
+    };
+    const auto is_edge_near = [&](int edge) {
+        return std::ranges::any_of(net.edges()[static_cast<size_t>(edge)], is_near);
+    };
+    return std::ranges::any_of(result.outliers, is_near, &Outlier::node) ||
+           std::ranges::any_of(result.length_outliers, is_edge_near, &LengthOutlier::edge) ||
+           std::ranges::any_of(result.boundary_outliers, [&](const BoundaryOutlier& one) {
+               return one.kind == BoundaryOutlier::Kind::support ? is_near(one.index)
+                                                                 : is_edge_near(one.index);
+           });
+}
+
+}  // namespace
+
+std::string net_balance_text(const CableNet& net) {
+    const std::optional<NetImbalance> found = local_imbalance(net);
+    return found ? to_text(net, *found) : std::string();
+}
+
+std::optional<Trust::Finding> net_balance_finding(const CableNet& net, const Identification& result,
+                                                  Verdict of_all_else) {
+    const std::optional<NetImbalance> found = local_imbalance(net);
+    if (!found) {
+        return std::nullopt;
+    }
+    const bool is_contradicted =
+        of_all_else != Verdict::passed && std::ranges::any_of(found->nodes, [&](int node) {
+            return is_contradicted_near(net, result, node);
+        });
+    Trust::Finding finding{
+        .kind = Trust::Finding::Kind::net_balance,
+        .severity = is_contradicted ? Verdict::failed : std::min(of_all_else, Verdict::doubtful),
+        .value = found->share,
+        .reason =
+            to_text(net, *found) + (is_contradicted ? " The survey contradicts it there." : ""),
+        .next =
+            "Check whether a cable or a load is missing there, or a node is drawn in a wrong "
+            "place."};
+    for (const int node : found->nodes) {
+        finding.ids.push_back(net.node_id(node));
+    }
+    return finding;
 }
 
 }  // namespace taut

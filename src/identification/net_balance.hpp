@@ -4,26 +4,23 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "taut/identification/result.hpp"
+#include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
-/// Nodes at which a net, as given, is not in equilibrium though it is at all others: a cable or a
-/// load may be missing there.
-struct NetImbalance {
-    std::vector<int> nodes;  ///< free ones, ascending
-    double largest = 0.0;    ///< force out of balance at one of them [N]
-    double share = 0.0;      ///< of the mean tension
-};
+/// A sentence on nodes at which a net, as given, is not in equilibrium though it is at all others:
+/// a cable or a load may be missing there. Empty where the net is in equilibrium, and where many
+/// nodes are not, since their places are then a first guess.
+[[nodiscard]] std::string net_balance_text(const CableNet& net);
 
-/// @return empty where the net is in equilibrium, and where it is nowhere, since its places are
-/// then
-///   a first guess
-[[nodiscard]] std::optional<NetImbalance> local_imbalance(const CableNet& net);
-
-/// One sentence.
-[[nodiscard]] std::string to_text(const CableNet& net, const NetImbalance& found);
+/// The same as a finding: failed where the survey contradicts something near these nodes, for a
+/// cable that the net lacks looks as if those beside it were wrong.
+/// @param of_all_else the verdict without it
+[[nodiscard]] std::optional<Trust::Finding> net_balance_finding(const CableNet& net,
+                                                                const Identification& result,
+                                                                Trust::Verdict of_all_else);
 
 }  // namespace taut

@@ -298,4 +298,32 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     return result;
 }
 
+std::optional<Identification> mixture_over(
+    const CableNet& net, const Survey& survey, const std::vector<PriorNode>& nodes, int draws,
+    const std::function<std::optional<Identification>(size_t k, int draws)>& identify_by) {
+    // Fewer draws would not show whether they are reliable.
+    constexpr int fewest_draws = 10;
+    constexpr double most_left_out = 0.1;
+    std::vector<double> weights(nodes.size());
+    std::ranges::transform(nodes, weights.begin(), &PriorNode::weight);
+    const std::vector<int> shares = shared_out(draws, weights);
+    std::vector<WeightedIdentification> parts;
+    double converged = 0.0;
+    for (size_t k = 0; k < nodes.size(); ++k) {
+        std::optional<Identification> part =
+            identify_by(k, draws > 0 ? std::max(fewest_draws, shares[k]) : 0);
+        if (part && part->status == IdentificationStatus::converged) {
+            converged += nodes[k].weight;
+            parts.push_back({.weight = nodes[k].weight, .result = *std::move(part)});
+        }
+    }
+    if (converged < 1.0 - most_left_out) {
+        return std::nullopt;
+    }
+    for (WeightedIdentification& part : parts) {
+        part.weight /= converged;
+    }
+    return mixture_of(net, survey, std::move(parts), draws);
+}
+
 }  // namespace taut

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "taut/identification/result.hpp"
@@ -24,6 +26,14 @@ struct WeightedIdentification {
 /// @param draws how many all together
 [[nodiscard]] Identification mixture_of(const CableNet& net, const Survey& survey,
                                         std::vector<WeightedIdentification> parts, int draws);
+
+/// The mixture of the results under the priors of a posterior.
+/// @param draws how many all together
+/// @param identify_by gives the result under the k-th of them with so many draws, or nothing
+/// @return empty where the results converge under too few of them
+[[nodiscard]] std::optional<Identification> mixture_over(
+    const CableNet& net, const Survey& survey, const std::vector<PriorNode>& nodes, int draws,
+    const std::function<std::optional<Identification>(size_t k, int draws)>& identify_by);
 
 /// Shares out draws by weights that sum to 1.
 [[nodiscard]] std::vector<int> shared_out(int draws, const std::vector<double>& weights);

@@ -9,7 +9,6 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -177,7 +176,10 @@ public:
             test_uncertain();
         }
         test_draws();
-        test_net();
+        if (auto finding = net_balance_finding(m_net, m_result, m_trust.verdict())) {
+            // The first to look at: what else contradicts the survey may follow from it.
+            m_trust.findings.insert(m_trust.findings.begin(), *std::move(finding));
+        }
         std::ranges::stable_sort(m_trust.findings, std::greater{}, &Finding::severity);
         return std::move(m_trust);
     }
@@ -705,49 +707,6 @@ private:
                  .reason = fmt::format("Tensions are not reported: {}.", m_result.draws->reason),
                  .next = "Lengths may be used, tensions not."});
         }
-    }
-
-    /// Whether the survey contradicts something at a node or at those next to it.
-    [[nodiscard]] bool is_contradicted_near(int node) const {
-        const std::span<const int> neighbours = m_net.neighbours(node);
-        const auto is_near = [&](int other) {
-            return other == node || std::ranges::find(neighbours, other) != neighbours.end();
-        };
-        const auto is_edge_near = [&](int edge) {
-            const auto [s, t] = m_net.edges()[static_cast<size_t>(edge)];
-            return is_near(s) || is_near(t);
-        };
-        return std::ranges::any_of(m_result.outliers, is_near, &Outlier::node) ||
-               std::ranges::any_of(m_result.length_outliers, is_edge_near, &LengthOutlier::edge) ||
-               std::ranges::any_of(m_result.boundary_outliers, [&](const BoundaryOutlier& one) {
-                   return one.kind == BoundaryOutlier::Kind::support ? is_near(one.index)
-                                                                     : is_edge_near(one.index);
-               });
-    }
-
-    /// A cable that the net lacks looks as if those beside it were wrong.
-    void test_net() {
-        const std::optional<NetImbalance> found = local_imbalance(m_net);
-        if (!found) {
-            return;
-        }
-        const bool is_contradicted = m_trust.verdict() != Verdict::passed &&
-                                     std::ranges::any_of(found->nodes, [this](int node) {
-                                         return is_contradicted_near(node);
-                                     });
-        Finding finding{.kind = FindingKind::net_balance,
-                        .severity = is_contradicted ? Verdict::failed : m_trust.verdict(),
-                        .value = found->share};
-        for (const int node : found->nodes) {
-            finding.ids.push_back(m_net.node_id(node));
-        }
-        finding.reason =
-            to_text(m_net, *found) + (is_contradicted ? " The survey contradicts it there." : "");
-        finding.next =
-            "Check whether a cable or a load is missing there, or a node is drawn in a wrong "
-            "place.";
-        // The first to look at: what else contradicts the survey may follow from it.
-        m_trust.findings.insert(m_trust.findings.begin(), std::move(finding));
     }
 
     const CableNet& m_net;
