@@ -4,6 +4,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "files/message.hpp"
@@ -66,14 +69,28 @@ void check_covariances(const JsonValue& parent, const char* key, const CableNet&
     if (!list) {
         return;
     }
+    constexpr double rounding = 1e-6;
+    constexpr std::array<size_t, 3> diagonal{0, 3, 5};
     const auto count = static_cast<size_t>(net.node_count());
     list->require_array(count, fmt::format("a covariance for each node: {}", count));
     for (size_t i = 0; i < count; ++i) {
-        for (const size_t of_diagonal : {0, 3, 5}) {
-            const JsonValue variance = list->at(i).at(of_diagonal);
+        std::array<double, 3> stds{};
+        for (size_t k = 0; k < 3; ++k) {
+            const JsonValue variance = list->at(i).at(diagonal[k]);
             if (variance.number() < 0.0) {
                 variance.fail(
                     fmt::format("is {}, expected a variance of at least 0", variance.number()));
+            }
+            stds[k] = std::sqrt(variance.number());
+        }
+        for (const auto& [at, j, k] :
+             {std::tuple<size_t, size_t, size_t>{1, 0, 1}, {2, 0, 2}, {4, 1, 2}}) {
+            const JsonValue covariance = list->at(i).at(at);
+            const double most = stds[j] * stds[k] * (1.0 + rounding);
+            if (std::abs(covariance.number()) > most) {
+                covariance.fail(fmt::format(
+                    "is {}, expected at most {:.3g} beside variances of {:.3g} and {:.3g}",
+                    covariance.number(), most, stds[j] * stds[j], stds[k] * stds[k]));
             }
         }
     }
