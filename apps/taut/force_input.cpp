@@ -10,10 +10,15 @@
 #include "command.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/table_file.hpp"
+#include "taut/identification/identify.hpp"
 #include "taut/io/forces_csv.hpp"
+#include "taut/io/frequencies_csv.hpp"
+#include "taut/io/sag_csv.hpp"
 #include "taut/net/units.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/tensions.hpp"
+#include "taut/survey/cable_sag.hpp"
+#include "taut/survey/cable_vibration.hpp"
 
 namespace taut::app {
 namespace {
@@ -21,7 +26,8 @@ namespace {
 const std::string uncertain_text =
     "What is uncertain besides the lengths, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
     "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, "
-    "loads:20N (of each node), loads:10% (one factor); GROUP is a group of edges of the net. May "
+    "loads:20N (of each node), loads:10% (one factor), forces:1% (one of all load cells), mass:3% "
+    "(one factor); GROUP is a group of edges of the net. May "
     "be repeated";
 
 ForceFormat format_of(const ForceOptions& options) {
@@ -39,7 +45,7 @@ ForceFormat format_of(const ForceOptions& options) {
 }  // namespace
 
 std::vector<std::string> ForceOptions::files() const {
-    return {forces, taut == "all" ? "" : taut, slack};
+    return {forces, taut == "all" ? "" : taut, slack, frequencies, sag};
 }
 
 std::vector<CLI::Option*> add_force_measurement_options(CLI::App& command, ForceOptions& options,
@@ -75,9 +81,67 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
         .add_option("--slack", options.slack,
                     "Edges seen to hang slack: a file that names them, one a line")
         ->group(heading::known);
+    CLI::Option* const frequencies =
+        command
+            .add_option("--frequencies", options.frequencies,
+                        "Natural frequencies of cables, a file edge,frequency[,mode][,std], in Hz; "
+                        "the net needs mass")
+            ->group(heading::known);
+    command
+        .add_option("--frequency-noise", options.frequency_noise,
+                    "Standard deviation of a frequency where that file has none, a part of it")
+        ->needs(frequencies)
+        ->group(heading::known)
+        ->capture_default_str();
+    command
+        .add_option("--free-length-std", options.free_length_std,
+                    "Standard deviation of the length that vibrates, which clamps shorten")
+        ->needs(frequencies)
+        ->group(heading::known)
+        ->capture_default_str();
+    command
+        .add_option("--sag", options.sag,
+                    "Points on cables that sag, three or more on each, a file edge,x,y,z[,std] in "
+                    "m; the net needs mass")
+        ->group(heading::known);
 }
 
-Forces read_forces(const CableNet& net, const ForceOptions& options) {
+namespace {
+
+/// Adds what the natural frequencies say of tensions.
+void add_frequencies(const CableNet& net, const ForceOptions& options, const Points& form,
+                     Forces& forces) {
+    const double part = parse_part(options.frequency_noise);
+    const double free_length_std = parse_length(options.free_length_std);
+    const std::vector<FrequencyMeasurement> measured =
+        parse_frequencies(net, read_table(options.frequencies), options.frequencies, part);
+    std::vector<ForceMeasurement> found;
+    naming_file(options.frequencies, [&] {
+        for (const FrequencyMeasurement& one : measured) {
+            found.push_back(tension_by_frequency(net, form, one, free_length_std));
+        }
+    });
+    if (const std::string warning = force_unit_warning(net, found, options.frequencies);
+        !warning.empty()) {
+        warn(options.frequencies, {warning});
+    }
+    forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());
+}
+
+/// Adds what the sags say of tensions.
+void add_sags(const CableNet& net, const ForceOptions& options, const Survey& survey,
+              Forces& forces) {
+    const std::vector<SagPoint> points =
+        parse_sag_points(net, read_table(options.sag), options.sag, survey.rms_noise_std());
+    naming_file(options.sag, [&] {
+        const std::vector<ForceMeasurement> found = tensions_by_sag(net, survey.form, points);
+        forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());
+    });
+}
+
+}  // namespace
+
+Forces read_forces(const CableNet& net, const ForceOptions& options, const Survey& survey) {
     Forces forces;
     if (!options.forces.empty()) {
         forces.measurements = parse_force_measurements(net, read_table(options.forces),
@@ -88,6 +152,12 @@ Forces read_forces(const CableNet& net, const ForceOptions& options) {
             warn(options.forces, {warning});
         }
     }
+    if (!options.frequencies.empty()) {
+        add_frequencies(net, options, survey.form, forces);
+    }
+    if (!options.sag.empty()) {
+        add_sags(net, options, survey, forces);
+    }
     if (!options.slack.empty()) {
         forces.slack = read_edge_list(net, options.slack);
     }
@@ -97,7 +167,10 @@ Forces read_forces(const CableNet& net, const ForceOptions& options) {
     } else if (!options.taut.empty()) {
         forces.taut = read_edge_list(net, options.taut);
     }
-    naming_file(options.slack.empty() ? options.forces : options.slack,
+    const std::string& measured = !options.forces.empty()        ? options.forces
+                                  : !options.frequencies.empty() ? options.frequencies
+                                                                 : options.sag;
+    naming_file(options.slack.empty() ? measured : options.slack,
                 [&] { check_forces(net, forces); });
     return forces;
 }
@@ -108,7 +181,9 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
     }
     const std::string text = read_table(options.forces);
     if (!is_edge_list(text, options.forces)) {
-        return read_forces(net, options);
+        Survey as_designed;
+        as_designed.form = net.nodes();
+        return read_forces(net, options, as_designed);
     }
     const ForceFormat format = format_of(options);
     const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
@@ -164,9 +239,10 @@ std::vector<UncertainParameter> UncertainOptions::given(const CableNet& net,
 }
 
 std::vector<UncertainParameter> UncertainOptions::assumed(const CableNet& net,
-                                                          const std::string& net_file) const {
+                                                          const std::string& net_file,
+                                                          const Forces& forces) const {
     std::vector<UncertainParameter> all = given(net, net_file);
-    return assume_site() ? with_site_assumptions(net, std::move(all)) : all;
+    return assume_site() ? with_site_assumptions(net, std::move(all), measured_by(forces)) : all;
 }
 
 }  // namespace taut::app

@@ -10,16 +10,22 @@
 #include "taut/sampling/length_prior.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
+#include "taut/survey/survey.hpp"
 
 namespace taut::app {
 
-/// --forces, --force-unit, --force-noise, --taut, --slack, as given.
+/// --forces, --force-unit, --force-noise, --taut, --slack, --frequencies, --frequency-noise,
+/// --free-length-std, --sag, as given.
 struct ForceOptions {
     std::string forces;
     std::string force_unit = "N";
     std::string force_noise = "2%";
     std::string taut;  ///< a file, or "all"
     std::string slack;
+    std::string frequencies;
+    std::string frequency_noise = "1%";
+    std::string free_length_std = "10mm";
+    std::string sag;
 
     /// Files among them, for check_outputs().
     [[nodiscard]] std::vector<std::string> files() const;
@@ -30,14 +36,16 @@ struct ForceOptions {
 std::vector<CLI::Option*> add_force_measurement_options(CLI::App& command, ForceOptions& options,
                                                         const std::string& help);
 
-/// The same, --taut and --slack.
+/// All of ForceOptions.
 void add_force_options(CLI::App& command, ForceOptions& options);
 
-/// Reads the force measurements and the edges seen taut or slack; warns where the unit is most
-/// likely another.
-/// @throws InputError as parse_force_measurements(), parse_edge_list(), and for an edge that is
-///   given as both taut and slack, or as slack and measured
-Forces read_forces(const CableNet& net, const ForceOptions& options);
+/// Reads the force measurements, frequencies and the edges seen taut or slack; warns where a unit
+/// is most likely another.
+/// @param survey of the net: its form is that in which cables vibrate and sag
+/// @throws InputError as parse_force_measurements(), parse_frequencies(), tension_by_frequency(),
+///   parse_sag_points(), tensions_by_sag(), parse_edge_list(), and for an edge that is measured
+///   twice, given as both taut and slack, or as slack and measured
+Forces read_forces(const CableNet& net, const ForceOptions& options, const Survey& survey);
 
 /// The force measurements of a survey that is planned: as read_forces(), or of a file that only
 /// names edges, whose designed tensions are then taken as measured.
@@ -65,7 +73,8 @@ struct UncertainOptions {
                                                         const std::string& net_file) const;
     /// given() and, where assume_site(), with_site_assumptions().
     [[nodiscard]] std::vector<UncertainParameter> assumed(const CableNet& net,
-                                                          const std::string& net_file) const;
+                                                          const std::string& net_file,
+                                                          const Forces& forces = {}) const;
 };
 
 /// --uncertain NAME:WIDTH[@GROUP]|none, any number of times.

@@ -26,6 +26,7 @@
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/model.hpp"
+#include "taut/io/adjustment_csv.hpp"
 #include "taut/io/forces_csv.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
@@ -41,6 +42,7 @@ namespace {
 struct EpochFiles {
     std::string survey;
     std::string turned;  ///< empty: nothing was turned
+    std::string loads;   ///< empty: nothing was hung on the net
 };
 
 struct Options : CommonOptions, SurveyOptions, ForceOptions {
@@ -62,7 +64,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
         std::vector<std::string> all = ForceOptions::files();
         all.insert(all.end(), {net, survey, model, control, offsets, covariance_of});
         for (const EpochFiles& files : epochs) {
-            all.insert(all.end(), {files.survey, files.turned});
+            all.insert(all.end(), {files.survey, files.turned, files.loads});
         }
         return all;
     }
@@ -150,6 +152,9 @@ std::string in_unit(UncertainParameter::Kind kind, double value) {
         case UncertainParameter::Kind::stiffness:
         case UncertainParameter::Kind::stiffness_each:
         case UncertainParameter::Kind::loads:
+        case UncertainParameter::Kind::forces:
+        case UncertainParameter::Kind::mass:
+        case UncertainParameter::Kind::test_loads:
             return scaled(100.0, 2) + " %";
         case UncertainParameter::Kind::temperature:
             return scaled(1.0, 1) + " K";
@@ -253,9 +258,12 @@ void print_epochs(const CableNet& net, const Identification& result) {
         const EpochResult& epoch = result.epochs[k];
         say("survey {}: {} free nodes, {} not used", k + 1, epoch.surveyed, epoch.outliers.size());
         if (k > 0) {
-            say("; {} edges turned before it. Changes of the other lengths are {:.2f} times "
+            say("; {} edges turned before it{}. Changes of the other lengths are {:.2f} times "
                 "those expected by chance (up to {:.2f} is normal)",
-                epoch.turned.size(), epoch.change_ratio, epoch.change_limit);
+                epoch.turned.size(),
+                epoch.load > 0.0 ? fmt::format(", under {:.4g} kN hung on it", 1e-3 * epoch.load)
+                                 : "",
+                epoch.change_ratio, epoch.change_limit);
         }
         say("\n");
         for (const LengthChange& change : epoch.changes) {
@@ -456,18 +464,23 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
 
 EpochFiles parse_epoch_files(const std::string& text) {
     if (std::filesystem::exists(text)) {
-        return {.survey = text, .turned = {}};
+        return {.survey = text, .turned = {}, .loads = {}};
     }
-    const size_t colon = text.rfind(':');
-    if (colon == std::string::npos) {
-        return {.survey = text, .turned = {}};
+    EpochFiles files;
+    std::string* const parts[] = {&files.survey, &files.turned, &files.loads};
+    size_t part = 0;
+    for (const char character : text) {
+        if (character != ':') {
+            parts[part]->push_back(character);
+        } else if (++part == std::size(parts)) {
+            break;
+        }
     }
-    EpochFiles files{.survey = text.substr(0, colon), .turned = text.substr(colon + 1)};
-    if (files.survey.empty() || files.turned.empty()) {
+    if (part == std::size(parts) || files.survey.empty() || (part > 0 && parts[part]->empty())) {
         throw std::invalid_argument(
-            fmt::format("--epoch is '{}', expected a survey, a colon and the list of what was "
-                        "turned before it: "
-                        "second.csv:turned.csv",
+            fmt::format("--epoch is '{}', expected a survey, and after colons the list of what was "
+                        "turned before it and that of loads hung on the net: second.csv, "
+                        "second.csv:turned.csv, second.csv::loads.csv",
                         text));
     }
     return files;
@@ -505,6 +518,9 @@ std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const O
             epoch.turned = parse_turned(net, read_table(files.turned), files.turned);
         }
         steps.push_back(epoch.turned);
+        if (!files.loads.empty()) {
+            epoch.loads = parse_loads(net, read_table(files.loads), files.loads);
+        }
         Options of_epoch = options;
         of_epoch.survey = files.survey;
         epoch.survey =
@@ -537,7 +553,7 @@ void run(const Options& options) {
     print_survey_notes(options, survey, options.json);
     const std::optional<LengthModel> model = model_of(net, options, settings.prior);
     settings.model = model ? &*model : nullptr;
-    settings.forces = read_forces(net, options);
+    settings.forces = read_forces(net, options, survey);
     settings.uncertain = options.uncertain.given(net, options.net);
     settings.assume_site = options.uncertain.assume_site();
     const std::int64_t draws = options.draws.value_or(default_draws(net));
@@ -554,7 +570,8 @@ void run(const Options& options) {
                           : with_survey_of(options.survey, [&] {
                                 return identify(net, survey, settings, line.progress());
                             });
-    survey = with_noise_times(std::move(epochs.back().survey), result.noise_scale);
+    const size_t reported = reported_epoch(epochs);
+    survey = with_noise_times(std::move(epochs[reported].survey), result.noise_scale);
     refuse_unless_converged(options, result);
     const std::string document = identification_to_json(net, survey, result, run_record());
     std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -578,7 +595,7 @@ void run(const Options& options) {
         say("{}", document);
     } else {
         Options of_last = options;
-        of_last.survey = options.epochs.empty() ? options.survey : options.epochs.back().survey;
+        of_last.survey = reported == 0 ? options.survey : options.epochs[reported - 1].survey;
         print(of_last, net, survey, result);
     }
 }
@@ -608,8 +625,9 @@ void add_identify(CLI::App& program) {
                        "around uniform:5mm)");
     add_each_parsed(command, "--epoch", options->epochs, parse_epoch_files,
                     "A later survey of the same net and the list of what was turned before it: "
-                    "second.csv:turned.csv, or second.csv where nothing was. All surveys together "
-                    "determine the lengths; the result is of the last. May be repeated")
+                    "second.csv:turned.csv, or second.csv where nothing was; and of loads that "
+                    "hung on it then alone: second.csv::loads.csv. All surveys together determine "
+                    "the lengths; the result is of the last without such loads. May be repeated")
         ->allow_extra_args(false)
         ->group(heading::input);
     command

@@ -30,7 +30,8 @@ PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
     }
     // As identify does, which takes the net as exact where the survey is.
     const std::vector<UncertainParameter> parameters =
-        survey.is_noisy() ? uncertain.assumed(net, net_file) : uncertain.given(net, net_file);
+        survey.is_noisy() ? uncertain.assumed(net, net_file, forces)
+                          : uncertain.given(net, net_file);
     PredictedPrecision lengths = with_survey_of(options.survey, [&] {
         return predicted_precision(net, nominal.form, survey, prior, forces, parameters);
     });

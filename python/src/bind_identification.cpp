@@ -5,17 +5,20 @@
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/variant.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arrays.hpp"
@@ -35,6 +38,8 @@
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/survey/cable_sag.hpp"
+#include "taut/survey/cable_vibration.hpp"
 #include "words.hpp"
 
 namespace taut::python {
@@ -43,13 +48,38 @@ namespace {
 /// Edge, value, standard deviation: a measured tension [N], or a stroke [m].
 using OfEdges = std::vector<std::tuple<int, double, double>>;
 
-Forces forces_given(const CableNet& net, const OfEdges& measured,
+/// A later survey, what was turned before it, and loads that hung on the net then alone.
+using LaterSurvey =
+    std::variant<std::tuple<Survey, OfEdges>, std::tuple<Survey, OfEdges, ArrayLike>>;
+
+/// Edge, frequency [Hz], mode, standard deviation [Hz].
+using Frequencies = std::vector<std::tuple<int, double, int, double>>;
+
+/// Edge, points (k, 3) [m], standard deviation [m].
+using Sags = std::vector<std::tuple<int, ArrayLike, double>>;
+
+Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& measured,
+                    const Frequencies& frequencies, double free_length_std, const Sags& sags,
                     const std::optional<ArrayLike>& taut_edges,
                     const std::optional<ArrayLike>& slack_edges) {
     Forces forces;
     for (const auto& [edge, tension, std] : measured) {
         forces.measurements.push_back({.edge = edge, .tension = tension, .std = std});
     }
+    for (const auto& [edge, frequency, mode, std] : frequencies) {
+        forces.measurements.push_back(tension_by_frequency(
+            net, survey.form, {.edge = edge, .frequency = frequency, .mode = mode, .std = std},
+            free_length_std));
+    }
+    std::vector<SagPoint> on_cables;
+    for (const auto& [edge, places, std] : sags) {
+        const Points points = points_argument(places, "sag", -1);
+        for (Eigen::Index k = 0; k < points.cols(); ++k) {
+            on_cables.push_back({.edge = edge, .position = points.col(k), .std = std});
+        }
+    }
+    std::ranges::move(tensions_by_sag(net, survey.form, on_cables),
+                      std::back_inserter(forces.measurements));
     if (taut_edges) {
         forces.taut = indices_argument(*taut_edges, "taut");
     }
@@ -389,8 +419,7 @@ void bind_result(nb::module_& module) {
 }
 
 Identified identified(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
-                      const std::vector<std::pair<Survey, OfEdges>>& epochs,
-                      const nb::object& progress) {
+                      const std::vector<LaterSurvey>& epochs, const nb::object& progress) {
     if (epochs.empty()) {
         Identification found = interruptible(progress, [&](const Progress& reporter) {
             return identify(net, survey, options, reporter);
@@ -398,17 +427,24 @@ Identified identified(const CableNet& net, const Survey& survey, const IdentifyO
         return {.net = net, .survey = survey, .found = std::move(found)};
     }
     std::vector<Epoch> all{{.survey = survey, .turned = {}}};
-    for (const auto& [later, turned] : epochs) {
-        Epoch epoch{.survey = later, .turned = {}};
-        for (const auto& [edge, stroke, std] : turned) {
-            epoch.turned.push_back({.edge = edge, .stroke = stroke, .std = std});
-        }
-        all.push_back(std::move(epoch));
+    for (const LaterSurvey& later : epochs) {
+        std::visit(
+            [&](const auto& parts) {
+                Epoch epoch{.survey = std::get<0>(parts), .turned = {}};
+                for (const auto& [edge, stroke, std] : std::get<1>(parts)) {
+                    epoch.turned.push_back({.edge = edge, .stroke = stroke, .std = std});
+                }
+                if constexpr (std::tuple_size_v<std::decay_t<decltype(parts)>> == 3) {
+                    epoch.loads = points_argument(std::get<2>(parts), "loads", net.node_count());
+                }
+                all.push_back(std::move(epoch));
+            },
+            later);
     }
     Identification found = interruptible(progress, [&](const Progress& reporter) {
         return identify_epochs(net, all, options, reporter);
     });
-    return {.net = net, .survey = all.back().survey, .found = std::move(found)};
+    return {.net = net, .survey = all[reported_epoch(all)].survey, .found = std::move(found)};
 }
 
 /// In ascending order.
@@ -528,19 +564,22 @@ void bind_identification(nb::module_& module) {
            const std::optional<ArrayLike>& taut_edges, const std::optional<ArrayLike>& slack_edges,
            const std::vector<std::string>& uncertain, const std::optional<std::int64_t>& draws,
            const std::optional<ArrayLike>& covariance_of, bool estimate_noise, bool prior_exact,
-           const std::vector<std::pair<Survey, OfEdges>>& epochs, std::uint64_t seed,
+           const std::vector<LaterSurvey>& epochs, const Frequencies& frequencies,
+           double free_length_std, const Sags& sag, std::uint64_t seed,
            const nb::object& progress) {
             const std::int64_t count = draws.value_or(default_draws(net));
             check_draws(net, count);
-            IdentifyOptions options{.prior = prior_given(prior),
-                                    .prior_exact = prior_exact,
-                                    .forces = forces_given(net, forces, taut_edges, slack_edges),
-                                    .uncertain = uncertain_given(net, uncertain),
-                                    .assume_site = assumes_site(uncertain),
-                                    .model = model,
-                                    .draws = static_cast<int>(count),
-                                    .estimate_noise = estimate_noise,
-                                    .seed = seed};
+            IdentifyOptions options{
+                .prior = prior_given(prior),
+                .prior_exact = prior_exact,
+                .forces = forces_given(net, survey, forces, frequencies, free_length_std, sag,
+                                       taut_edges, slack_edges),
+                .uncertain = uncertain_given(net, uncertain),
+                .assume_site = assumes_site(uncertain),
+                .model = model,
+                .draws = static_cast<int>(count),
+                .estimate_noise = estimate_noise,
+                .seed = seed};
             if (method) {
                 options.method = parse_identification_method(*method);
             }
@@ -554,9 +593,9 @@ void bind_identification(nb::module_& module) {
         nb::arg("taut") = nb::none(), nb::arg("slack") = nb::none(),
         nb::arg("uncertain") = std::vector<std::string>(), nb::arg("draws") = nb::none(),
         nb::arg("covariance_of") = nb::none(), nb::arg("estimate_noise") = false,
-        nb::arg("prior_exact") = false,
-        nb::arg("epochs") = std::vector<std::pair<Survey, OfEdges>>(), nb::arg("seed") = 1,
-        nb::arg("progress") = nb::none(),
+        nb::arg("prior_exact") = false, nb::arg("epochs") = std::vector<LaterSurvey>(),
+        nb::arg("frequencies") = Frequencies(), nb::arg("free_length_std") = 0.01,
+        nb::arg("sag") = Sags(), nb::arg("seed") = 1, nb::arg("progress") = nb::none(),
         R"(Estimates the unstressed lengths of all interior edges from one survey of the form.
 
 Args:
@@ -567,15 +606,21 @@ Args:
     taut: edges seen to carry tension.
     slack: edges seen to carry none.
     uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'. Of what is not given taut
-        assumes 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm' and
-        'supports:1mm'. 'none': all that is not given is exact.
+        assumes 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm',
+        'supports:1mm', where forces are measured 'forces:1%' and 'mass:3%'. 'none': all that is not given is exact.
     draws: number of posterior samples, which give tensions their intervals; by default 200.
     covariance_of: interior edges whose lengths' covariances are wanted.
     estimate_noise: estimate a common factor of the survey's standard deviations.
     prior_exact: take scale and shape of the prior as exact; else both are estimated with the
         lengths.
     epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke [m], std
-        [m]), ...]).
+        [m]), ...]); and with loads (n, 3) that hung on the net then alone [N]: (survey, [], loads).
+        The result is of the last survey without such loads.
+    frequencies: natural frequencies of cables, (edge, frequency [Hz], mode, std [Hz]) each; the net
+        needs mass.
+    free_length_std: standard deviation of the length that vibrates, which clamps shorten [m].
+    sag: points on sagging cables, (edge, (k, 3) [m], std [m]) each, three points or more of one; the
+        net needs mass.
     seed: of the posterior samples.
     progress: called with stage, done, total.
 

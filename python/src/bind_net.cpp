@@ -38,7 +38,8 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::map<std::string, ArrayLike>& groups, const std::optional<ArrayLike>& mass,
               const std::optional<ArrayLike>& expansion,
               const std::optional<ArrayLike>& breaking_load, const Names& thread,
-              const std::map<std::string, ArrayLike>& runs) {
+              const std::map<std::string, ArrayLike>& runs,
+              const std::optional<ArrayLike>& bending_stiffness) {
     CableNetData data;
     data.name = name;
     data.nodes = points_argument(nodes, "nodes", -1);
@@ -67,6 +68,7 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
     data.mass = of_edges(mass, "mass");
     data.expansion = of_edges(expansion, "expansion");
     data.breaking_load = of_edges(breaking_load, "breaking_load");
+    data.bending_stiffness = of_edges(bending_stiffness, "bending_stiffness");
     for (const std::string& one : thread) {
         data.thread.push_back(thread_named(one));
     }
@@ -136,6 +138,7 @@ void bind_net(nb::module_& module) {
             nb::arg("groups") = std::map<std::string, ArrayLike>(), nb::arg("mass") = nb::none(),
             nb::arg("expansion") = nb::none(), nb::arg("breaking_load") = nb::none(),
             nb::arg("thread") = Names(), nb::arg("runs") = std::map<std::string, ArrayLike>(),
+            nb::arg("bending_stiffness") = nb::none(),
             R"(Checks every rule of a net.
 
 Args:
@@ -158,6 +161,7 @@ Args:
     thread: 'right' or 'left' of each turnbuckle, in the order of adjustable.
     runs: named lists of edges that are cut from one cable; by default edges that go straight on
         through a node.
+    bending_stiffness: EI (m,), or one number, for tensions from frequencies [N m2].
 
 Raises:
     NetError: naming the place, the value and the rule.

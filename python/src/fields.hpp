@@ -70,7 +70,7 @@ TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights, decomposit
 
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
-TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic)
+TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic, source, mode)
 TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
             is_swapped)
 TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, confounded_with)
@@ -100,9 +100,9 @@ TAUT_FIELDS(Assumption, parameter, is_default, is_testable)
 TAUT_FIELDS(LengthCovariance, edges, covariance)
 TAUT_FIELDS(FrameOffset, about, translation, translation_std, rotation, rotation_std)
 TAUT_FIELDS(LengthChange, edge, change, std, statistic)
-TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_offset, noise_ratio,
-            noise_scale, change_ratio, change_limit, changes, excess_actuator_std, stroke_factor,
-            stroke_factor_std, trust)
+TAUT_FIELDS(EpochResult, surveyed, turned, load, outliers, boundary_outliers, frame_offset,
+            noise_ratio, noise_scale, change_ratio, change_limit, changes, excess_actuator_std,
+            stroke_factor, stroke_factor_std, trust)
 TAUT_FIELDS(Identification, method, method_reason, how, length_prior, prior, status, message, edges,
             predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
             length_outliers, boundary_outliers, boundary_not_released, detectable, noise_scale,

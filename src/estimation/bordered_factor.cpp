@@ -3,6 +3,7 @@
 #include "estimation/bordered_factor.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <iterator>
 
 namespace taut {
@@ -21,6 +22,7 @@ void BorderedFactor::set_border_count(int count) {
     corner.setIdentity(count, count);
     extension_rates.setZero(std::ssize(m_edges), count);
     force_rates.setZero(std::ssize(m_edges), count);
+    force_biases.setZero(std::ssize(m_edges), count);
 }
 
 bool BorderedFactor::factorize() {
@@ -42,6 +44,15 @@ bool BorderedFactor::factorize() {
         m_schur_inverse = factor.solve(m_schur_inverse).eval();
     }
     return m_schur_inverse.allFinite();
+}
+
+double BorderedFactor::log_determinant() const {
+    double sum = inner.log_determinant();
+    if (!border.empty()) {
+        const Eigen::PartialPivLU<Eigen::MatrixXd> lu(m_schur_inverse);
+        sum -= lu.matrixLU().diagonal().array().abs().log().sum();
+    }
+    return sum;
 }
 
 BorderedFactor::Vector BorderedFactor::solve(const Vector& right_side) const {
@@ -113,12 +124,15 @@ void BorderedFactor::add_border(Covariance& covariance) const {
             covariance.lengths(e) += squared(length)(0, 0);
             covariance.extensions(e) += squared(extension - extension_rates.row(e))(0, 0);
         }
-        covariance.forces(e) += squared(force - force_rates.row(e))(0, 0);
+        const Eigen::RowVectorXd of_force = force - force_rates.row(e);
+        covariance.measured_forces(e) += squared(of_force - force_biases.row(e))(0, 0);
+        covariance.forces(e) += squared(of_force)(0, 0);
     }
 }
 
 BorderedFactor::Covariance BorderedFactor::covariance() const {
-    Covariance result{inner.covariance(), m_schur_inverse};
+    Covariance result{inner.covariance(), m_schur_inverse, {}};
+    result.measured_forces = result.forces;
     if (!border.empty()) {
         add_border(result);
     }

@@ -39,6 +39,8 @@ public:
     /// of K (edges x columns).
     Eigen::MatrixXd extension_rates;
     Eigen::MatrixXd force_rates;
+    /// Change of force measurements beyond that of the forces (edges x columns).
+    Eigen::MatrixXd force_biases;
 
     /// @return false where a pivot is singular
     [[nodiscard]] bool factorize();
@@ -59,8 +61,12 @@ public:
                                              const Eigen::Matrix3Xd& at_node,
                                              const Eigen::MatrixXd& in_border) const;
 
+    /// log of the determinant's absolute value, after factorize().
+    [[nodiscard]] double log_determinant() const;
+
     struct Covariance : SaddlePointFactor::Covariance {
-        Eigen::MatrixXd border;  ///< C^-1
+        Eigen::MatrixXd border;           ///< C^-1
+        Eigen::VectorXd measured_forces;  ///< variances of force measurements, one an edge
     };
     /// After factorize().
     [[nodiscard]] Covariance covariance() const;

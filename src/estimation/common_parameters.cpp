@@ -7,11 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "net/weight_as_load.hpp"
+
 namespace taut {
 
 CommonParameters::CommonParameters(const CableNet& net,
                                    const std::vector<UncertainParameter>& uncertain,
-                                   bool frame_is_unknown, BoundaryReleases released)
+                                   bool frame_is_unknown, const Points& test_loads,
+                                   BoundaryReleases released)
     : m_released(std::move(released)),
       m_has_frame(frame_is_unknown),
       m_node_count(net.node_count()) {
@@ -31,8 +34,16 @@ CommonParameters::CommonParameters(const CableNet& net,
     }
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
+    m_load_rates.assign(count(), Points(3, 0));
     for (int k = 0; k < static_cast<int>(m_uncertain.size()); ++k) {
         const UncertainParameter& parameter = m_uncertain[k];
+        if (parameter.kind == UncertainParameter::Kind::loads) {
+            m_load_rates[k] = parameter.std * net.loads();
+        } else if (parameter.kind == UncertainParameter::Kind::mass) {
+            m_load_rates[k] = parameter.std * self_weight(net);
+        } else if (parameter.kind == UncertainParameter::Kind::test_loads) {
+            m_load_rates[k] = parameter.std * test_loads;
+        }
         for (const int edge : edges_of(net, parameter)) {
             if (parameter.kind == UncertainParameter::Kind::stiffness) {
                 m_stiffness(edge, k) = parameter.std;
@@ -95,12 +106,15 @@ Points CommonParameters::frame_motion(const Eigen::VectorXd& values) const {
     return support_motion(of_frame);
 }
 
-double CommonParameters::load_factor(const Eigen::VectorXd& values) const {
-    double factor = 1.0;
+Points CommonParameters::load_change(const Eigen::VectorXd& values) const {
+    Points change(3, 0);
     for (int k = 0; k < count(); ++k) {
-        factor += load_rate(k) * values(k);
+        if (m_load_rates[k].cols() > 0) {
+            change = change.cols() > 0 ? Points(change + values(k) * m_load_rates[k])
+                                       : Points(values(k) * m_load_rates[k]);
+        }
     }
-    return factor;
+    return change;
 }
 
 }  // namespace taut

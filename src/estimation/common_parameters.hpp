@@ -11,11 +11,15 @@
 
 namespace taut {
 
-/// Whether a parameter is one number for many edges: of stiffness, temperature or loads.
+/// Whether a parameter is one number for many edges: of stiffness, temperature, loads or force
+/// measurements.
 [[nodiscard]] inline bool is_common(const UncertainParameter& parameter) {
     return parameter.kind == UncertainParameter::Kind::stiffness ||
            parameter.kind == UncertainParameter::Kind::temperature ||
-           parameter.kind == UncertainParameter::Kind::loads;
+           parameter.kind == UncertainParameter::Kind::loads ||
+           parameter.kind == UncertainParameter::Kind::forces ||
+           parameter.kind == UncertainParameter::Kind::mass ||
+           parameter.kind == UncertainParameter::Kind::test_loads;
 }
 
 /// Outliers among adjustable edges and supports: nothing is assumed of them.
@@ -28,16 +32,18 @@ struct BoundaryReleases {
 };
 
 /// The parameters in the border of the matrix, in their standard deviations: common factors of the
-/// stiffness, temperatures and a factor of the loads; six of the survey's frame, as a small motion
-/// of all supports; three of each released support and one of each released adjustable edge.
-/// docs/theory.md, (common), (frame), (boundary).
+/// stiffness, temperatures, a factor of the loads and errors of force measurements; six of the
+/// survey's frame, as a small motion of all supports; three of each released support and one of
+/// each released adjustable edge. docs/theory.md, (common), (frame), (boundary).
 class CommonParameters {
 public:
     CommonParameters() = default;
     /// @param uncertain of the net; those not is_common() are ignored
     /// @param frame_is_unknown whether the frame is among the parameters
+    /// @param test_loads of the survey, among the net's loads (3 x n); 3 x 0: none [N]
     CommonParameters(const CableNet& net, const std::vector<UncertainParameter>& uncertain,
-                     bool frame_is_unknown = false, BoundaryReleases released = {});
+                     bool frame_is_unknown = false, const Points& test_loads = Points(3, 0),
+                     BoundaryReleases released = {});
 
     [[nodiscard]] int count() const {
         return static_cast<int>(m_uncertain.size() + m_motions.size() + m_released.turned.size());
@@ -71,8 +77,8 @@ public:
                                        const Eigen::VectorXd& values) const;
     /// Prior standard deviation of each edge's thermal strain (m).
     [[nodiscard]] Eigen::VectorXd thermal_stds() const { return m_thermal.rowwise().norm(); }
-    /// Factor of the loads.
-    [[nodiscard]] double load_factor(const Eigen::VectorXd& values) const;
+    /// Change of the loads (3 x n); 3 x 0 where none can change [N].
+    [[nodiscard]] Points load_change(const Eigen::VectorXd& values) const;
 
     /// Change of log(EA), and of the thermal strain, of an edge by one standard deviation.
     [[nodiscard]] double stiffness_rate(int k, int edge) const {
@@ -81,11 +87,8 @@ public:
     [[nodiscard]] double thermal_rate(int k, int edge) const {
         return m_thermal.size() > 0 ? m_thermal(edge, k) : 0.0;
     }
-    [[nodiscard]] double load_rate(int k) const {
-        return k < std::ssize(m_uncertain) && m_uncertain[k].kind == UncertainParameter::Kind::loads
-                   ? m_uncertain[k].std
-                   : 0.0;
-    }
+    /// Change of the loads by one standard deviation (3 x n); 3 x 0: none [N].
+    [[nodiscard]] const Points& load_rate(int k) const { return m_load_rates[k]; }
     /// Change of a support's place by one standard deviation; 0 for free nodes [m].
     [[nodiscard]] Eigen::Vector3d support_rate(int k, int node) const {
         const auto motion = k - std::ssize(m_uncertain);
@@ -114,9 +117,10 @@ private:
     std::vector<UncertainParameter> m_uncertain;
     BoundaryReleases m_released;
     bool m_has_frame = false;
-    Eigen::MatrixXd m_stiffness;    ///< m x count
-    Eigen::MatrixXd m_thermal;      ///< m x count
-    std::vector<Points> m_motions;  ///< six of the frame, or none; three a moved support
+    Eigen::MatrixXd m_stiffness;       ///< m x count
+    Eigen::MatrixXd m_thermal;         ///< m x count
+    std::vector<Points> m_motions;     ///< six of the frame, or none; three a moved support
+    std::vector<Points> m_load_rates;  ///< count, each 3 x n or 3 x 0
     Eigen::Index m_node_count = 0;
     Eigen::Vector3d m_middle = Eigen::Vector3d::Zero();
     double m_reach = 1.0;  ///< largest distance of a support from it [m]

@@ -54,7 +54,7 @@ Observations satisfied(const StaticsModel& model, const Observations& observatio
     result.mean = iterate.deviations;
     result.load_mean = iterate.loads;
     result.common_mean = iterate.common;
-    result.tension = model.tensions(iterate);
+    result.tension = observations.measured(model.tensions(iterate), iterate.common);
     return result;
 }
 

@@ -85,6 +85,7 @@ bool Linearisation::factorize(const Iterate& iterate, const Observations& observ
     m_matrix->set_border_count(common_count);
     std::ranges::fill(m_matrix->border, empty_vector().inner);
     m_tension_rates.setZero(edge_count, common_count);
+    m_measured_rates = m_tension_rates;
     for (int e = 0; e < edge_count; ++e) {
         if (!m_model->slack[e]) {
             add_edge(e, iterate, observations);
@@ -158,10 +159,13 @@ void Linearisation::add_edge(int edge, const Iterate& iterate, const Observation
     }
     for (int k = 0; k < m_model->common.count(); ++k) {  // (common)
         const EdgeVariation variation = m_model->common_variation(edge, k, iterate);
-        const double rate = add_to_column(edge, e, variation, observations.tension_weights(edge),
-                                          m_matrix->border[k]);
+        const double bias = observations.tension_bias(edge, k);
+        const double rate = add_to_column(edge, e, variation, bias,
+                                          observations.tension_weights(edge), m_matrix->border[k]);
         m_tension_rates(edge, k) = rate;
+        m_measured_rates(edge, k) = rate + bias;
         m_matrix->force_rates(edge, k) = m_multiplier_unit * rate;
+        m_matrix->force_biases(edge, k) = m_multiplier_unit * bias;
         m_matrix->extension_rates(edge, k) =
             (e.direction.dot(variation.motion) - variation.length) / m_length_unit;
     }
@@ -178,9 +182,11 @@ void Linearisation::add_place_rates(int edge, double factor, Eigen::Matrix3Xd& p
 }
 
 /// Adds the entries of an edge to the column of a number.
+/// @param bias how far the number moves a force measurement from the tension [N]
 /// @return change of its tension [N]
 double Linearisation::add_to_column(int edge, const EdgeRates& e, const EdgeVariation& variation,
-                                    double force_weight, BorderedFactor::Inner& column) const {
+                                    double bias, double force_weight,
+                                    BorderedFactor::Inner& column) const {
     const auto [s, t] = m_model->numbering().local.edges[edge];
     const SaddlePointFactor& matrix = m_matrix->inner;
     const double rate = e.tension_by(variation);
@@ -191,7 +197,7 @@ double Linearisation::add_to_column(int edge, const EdgeRates& e, const EdgeVari
         }
     }
     if (force_weight > 0.0) {
-        const double pull = matrix.force_weights(edge) * m_multiplier_unit * rate;
+        const double pull = matrix.force_weights(edge) * m_multiplier_unit * (rate + bias);
         add_place_rates(edge, pull, column.places);
         column.lengths(edge) += pull * matrix.force_length_rates(edge);
     }
@@ -202,13 +208,14 @@ double Linearisation::add_to_column(int edge, const EdgeRates& e, const EdgeVari
 void Linearisation::set_border(const Observations& observations) {
     const CommonParameters& common = m_model->common;
     for (int k = 0; k < common.count(); ++k) {
-        m_matrix->border[k].multipliers -=
-            m_multiplier_unit * common.load_rate(k) *
-            m_model->net().loads()(Eigen::all, m_model->numbering().free_nodes);
+        if (const Points& rate = common.load_rate(k); rate.cols() > 0) {
+            m_matrix->border[k].multipliers -=
+                m_multiplier_unit * rate(Eigen::all, m_model->numbering().free_nodes);
+        }
     }
     m_matrix->corner =
         Eigen::MatrixXd::Identity(common.count(), common.count()) +
-        m_tension_rates.transpose() * observations.tension_weights.asDiagonal() * m_tension_rates;
+        m_measured_rates.transpose() * observations.tension_weights.asDiagonal() * m_measured_rates;
     if (common.moves_supports()) {
         add_motions_to_border(observations);
     }
@@ -330,12 +337,13 @@ void Linearisation::add_force_measurements(const Iterate& iterate, const Observa
         if (!(observations.tension_weights(e) > 0.0) || m_model->slack[e]) {
             continue;
         }
-        const double misfit = observations.tension(e) - m_model->rates(e, iterate).tension;
+        const double misfit = observations.tension(e) - m_model->rates(e, iterate).tension -
+                              observations.tension_bias.row(e).dot(iterate.common);
         const double pull = matrix.force_weights(e) * m_multiplier_unit * misfit;
         add_place_rates(e, pull, right_side.inner.places);
         right_side.inner.lengths(e) += pull * matrix.force_length_rates(e);
         right_side.border +=
-            observations.tension_weights(e) * misfit * m_tension_rates.row(e).transpose();
+            observations.tension_weights(e) * misfit * m_measured_rates.row(e).transpose();
     }
 }
 
@@ -396,7 +404,7 @@ double Linearisation::squared_norm(const Observations& observations, const Itera
                 unit *
                     (matrix.force_place_rates.col(e).dot(change.form.col(s) - change.form.col(t)) +
                      by_length) +
-                m_tension_rates.row(e).dot(change.common);
+                m_measured_rates.row(e).dot(change.common);
             sum += observations.tension_weights(e) * tension * tension;
         }
     }

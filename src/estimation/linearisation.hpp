@@ -17,6 +17,7 @@ struct Covariance {
     Eigen::VectorXd lengths;              ///< variances, m_I [m2]
     Eigen::VectorXd extensions;           ///< variances of l - l_0, m_I [m2]
     Eigen::VectorXd tensions;             ///< variances, m [N2]
+    Eigen::VectorXd measured;             ///< of force measurements without their own errors [N2]
     std::vector<Eigen::Matrix3d> loads;   ///< of the load deviations, one a node [N2]
     Eigen::MatrixXd common;               ///< of the common parameters, in their stds
     /// The inverse over the multipliers of each free node, in the order of elimination and in the
@@ -56,8 +57,18 @@ public:
                                       const Iterate& change) const;
 
     [[nodiscard]] Covariance covariance() const;
+    /// Half the logarithm of the determinant of the posterior precision of all that is uncertain
+    /// (lengths and their mean_root, supports, loads, common parameters), the form eliminated, up
+    /// to a constant: docs/theory.md, (determinant).
+    [[nodiscard]] double half_log_determinant(const Observations& observations) const;
     /// Covariances of all edges' tensions with a weighted sum of them (m) [N2 of the weights].
-    [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights) const;
+    [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights) const {
+        return covariances_with(weights, m_tension_rates);
+    }
+    /// Variance of a weighted sum of force measurements without their own errors (weights: m).
+    [[nodiscard]] double measured_variance(const Eigen::VectorXd& weights) const {
+        return covariances_with(weights, m_measured_rates).dot(weights);
+    }
     /// Covariance of the x of LengthEvidence: all length deviations, then the first common
     /// parameters; takes one solution for each.
     [[nodiscard]] Eigen::MatrixXd evidence_covariance(int common_count) const;
@@ -93,6 +104,8 @@ public:
                                         const Observations& observations) const;
 
 private:
+    [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights,
+                                                   const Eigen::MatrixXd& rates) const;
     friend std::optional<Linearisation> linearise(const StaticsModel& model, const Iterate& iterate,
                                                   const Observations& observations,
                                                   std::optional<Linearisation> before);
@@ -113,7 +126,7 @@ private:
     void add_evidence(const Iterate& iterate, const Observations& observations,
                       BorderedFactor::Vector& right_side) const;
     void add_place_rates(int edge, double factor, Eigen::Matrix3Xd& places) const;
-    double add_to_column(int edge, const EdgeRates& e, const EdgeVariation& variation,
+    double add_to_column(int edge, const EdgeRates& e, const EdgeVariation& variation, double bias,
                          double force_weight, BorderedFactor::Inner& column) const;
     struct ScoreColumn;
     [[nodiscard]] ScoreColumn empty_score_column() const;
@@ -130,6 +143,7 @@ private:
     Eigen::Matrix3Xd m_multipliers;      ///< lambda, 3 x free nodes
     BorderedFactor::Vector m_reactions;  ///< H lambda, B' lambda and those of the border
     Eigen::MatrixXd m_tension_rates;     ///< m x common parameters: dT by each [N]
+    Eigen::MatrixXd m_measured_rates;    ///< the same of force measurements, (shared-error) [N]
     // Units that make all blocks of order 1: of places and lengths, and of multipliers.
     double m_length_unit = 1.0;
     double m_multiplier_unit = 1.0;

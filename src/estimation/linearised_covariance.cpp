@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "estimation/linearisation.hpp"
 #include "numerics/parallel.hpp"
@@ -19,6 +23,7 @@ Covariance Linearisation::covariance() const {
         .lengths = squared_unit * found.lengths(net.interior_edges()),
         .extensions = squared_unit * found.extensions(net.interior_edges()),
         .tensions = found.forces / force_unit,
+        .measured = found.measured_forces / force_unit,
         .loads = std::vector<Eigen::Matrix3d>(net.node_count(), Eigen::Matrix3d::Zero()),
         .common = found.border,
         .multipliers = {}};
@@ -43,13 +48,53 @@ Covariance Linearisation::covariance() const {
     return result;
 }
 
+/// |det M| = det(H)^2 det(precision), M the matrix and H the derivative of the forces by the places
+/// of the free nodes.
+double Linearisation::half_log_determinant(const Observations& observations) const {
+    const StaticsNumbering& numbers = m_model->numbering();
+    const SaddlePointFactor& matrix = m_matrix->inner;
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](int row, int column, const Eigen::Matrix3d& block) {
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                entries.emplace_back(3 * row + i, 3 * column + k, block(i, k));
+            }
+        }
+    };
+    const int free_count = numbers.local.free_count;
+    for (int node = 0; node < free_count; ++node) {
+        add(node, node, matrix.node_stiffness[node]);
+    }
+    for (size_t e = 0; e < matrix.edge_stiffness.size(); ++e) {
+        const auto [s, t] = numbers.local.edges[e];
+        if (std::max(s, t) < free_count) {
+            add(std::max(s, t), std::min(s, t), -matrix.edge_stiffness[e]);
+        }
+    }
+    Eigen::SparseMatrix<double> stiffness(3 * free_count, 3 * free_count);
+    stiffness.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(stiffness);
+    double result = 0.5 * m_matrix->log_determinant() - factor.vectorD().array().abs().log().sum();
+    const Eigen::MatrixXd& root = observations.mean_root;
+    if (root.size() > 0) {  // the numbers behind it, eliminated last
+        const Eigen::MatrixXd pulls =
+            m_model->prior_variances(observations).cwiseInverse().asDiagonal() * root;
+        const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(root.cols(), root.cols()) +
+                                     root.transpose() * pulls -
+                                     pulls.transpose() * response_to_lengths(pulls).lengths;
+        result += 0.5 * left.llt().matrixLLT().diagonal().array().square().log().sum();
+    }
+    return result;
+}
+
 /// a' Z g, with g the weighted sum of all a.
-Eigen::VectorXd Linearisation::covariances_with(const Eigen::VectorXd& weights) const {
+Eigen::VectorXd Linearisation::covariances_with(const Eigen::VectorXd& weights,
+                                                const Eigen::MatrixXd& rates) const {
     const SaddlePointFactor& matrix = m_matrix->inner;
     const StaticsNumbering& numbers = m_model->numbering();
     BorderedFactor::Vector sum = empty_vector();
     sum.inner.lengths = weights.cwiseProduct(matrix.force_length_rates);
-    sum.border = m_multiplier_unit * m_tension_rates.transpose() * weights;
+    sum.border = m_multiplier_unit * rates.transpose() * weights;
     for (int e = 0; e < weights.size(); ++e) {
         add_place_rates(e, weights(e), sum.inner.places);
     }
@@ -57,7 +102,7 @@ Eigen::VectorXd Linearisation::covariances_with(const Eigen::VectorXd& weights) 
     Eigen::VectorXd result(weights.size());
     for (int e = 0; e < weights.size(); ++e) {
         double of_edge = matrix.force_length_rates(e) * varied.inner.lengths(e) +
-                         m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
+                         m_multiplier_unit * rates.row(e).dot(varied.border);
         const auto [s, t] = numbers.local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < std::ssize(numbers.nodes)) {

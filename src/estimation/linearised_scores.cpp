@@ -26,10 +26,12 @@ void Linearisation::add_edge_to_score(ScoreColumn& column, int edge, const EdgeV
     }
     const EdgeRates e = m_model->rates(edge, iterate);
     const double weight = observations.tension_weights(edge);
-    const double rate = add_to_column(edge, e, variation, weight, column.entries.inner);
-    column.entries.border += weight * rate * m_tension_rates.row(edge).transpose();
+    const double rate = add_to_column(edge, e, variation, 0.0, weight, column.entries.inner);
+    column.entries.border += weight * rate * m_measured_rates.row(edge).transpose();
     column.force_rates(edge) += std::sqrt(weight) * rate;
-    column.misfit += weight * rate * (observations.tension(edge) - e.tension);
+    column.misfit += weight * rate *
+                     (observations.tension(edge) - e.tension -
+                      observations.tension_bias.row(edge).dot(iterate.common));
 }
 
 /// (boundary): g = b - e' x and I = F - E' Z E, the row of the number as a free unknown.

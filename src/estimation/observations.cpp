@@ -96,6 +96,7 @@ Observations nothing_observed(const CableNet& net, double length_std, int common
         .common_mean = Eigen::VectorXd::Zero(common_parameters),
         .tension = Eigen::VectorXd::Zero(net.edge_count()),
         .tension_weights = Eigen::VectorXd::Zero(net.edge_count()),
+        .tension_bias = Eigen::MatrixXd::Zero(net.edge_count(), common_parameters),
         .evidence = nullptr,
         .evidence_pull = {}};
 }

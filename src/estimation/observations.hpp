@@ -44,6 +44,9 @@ struct Observations {
     Eigen::VectorXd common_mean;      ///< of each common parameter, in its standard deviations
     Eigen::VectorXd tension;          ///< m, as measured; anything where the weight is 0 [N]
     Eigen::VectorXd tension_weights;  ///< m, 1 / variance, else 0 [1/N2]
+    /// m x common parameters: how far each of these moves a force measurement from the tension,
+    /// (shared-error) [N].
+    Eigen::MatrixXd tension_bias;
     std::shared_ptr<const LengthEvidence> evidence;  ///< null: there is none
     Eigen::VectorXd evidence_pull;                   ///< p; empty without
 
@@ -54,6 +57,11 @@ struct Observations {
     [[nodiscard]] Points weighted(const Points& errors) const;
     /// e' S e of errors of places (3 x n).
     [[nodiscard]] double squared_norm(const Points& errors) const;
+    /// The tensions that would have been measured (m) [N].
+    [[nodiscard]] Eigen::VectorXd measured(const Eigen::VectorXd& tensions,
+                                           const Eigen::VectorXd& common) const {
+        return tensions + tension_bias * common;
+    }
     void set_evidence(std::shared_ptr<const LengthEvidence> of_others);
 };
 

@@ -146,6 +146,7 @@ public:
           m_fitted(fitted.iterate),
           m_refit_model(m_model),
           m_all_taut(all_taut(m_net, fitted.iterate)),
+          m_shifted(sites),
           m_seed(seed) {
         m_refit_model.slack = knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false));
         m_refit_model.corner_width = corner_of_draws * smallest_noise(m_net, sites);
@@ -154,7 +155,7 @@ public:
     }
 
     /// This many draws; fewer where the first ones are unreliable.
-    [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress) const;
+    [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress);
 
 private:
     struct Draw {
@@ -182,6 +183,24 @@ private:
     [[nodiscard]] std::optional<Fit> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Fit> refitted(const Observations& observations,
                                               Workspace& workspace) const;
+    /// What a draw is perturbed by, and the fit to it.
+    struct Perturbed {
+        Observations of_mean;
+        Fit fit;
+        bool is_refitted;
+    };
+    [[nodiscard]] std::optional<Perturbed> fit_of(RandomNumbers& random, bool refit_all,
+                                                  Workspace& workspace) const;
+    [[nodiscard]] const StaticsModel& model_of(bool refit) const {
+        return refit ? m_refit_model : m_model;
+    }
+    struct Shift {
+        Iterate by;
+        double size;  ///< standard deviation of half the logarithm of the determinant
+    };
+    [[nodiscard]] std::optional<Shift> determinant_shift(bool refit_all,
+                                                         const Progress& progress) const;
+    [[nodiscard]] Observations moved_sites(const Iterate& shift) const;
     /// m_I, LawBlur::length_variances() [m2]
     [[nodiscard]] Eigen::VectorXd blur_variances(bool refit_all) const {
         const LawBlur& blur = refit_all ? m_refit_model.blur : m_model.blur;
@@ -210,6 +229,7 @@ private:
     const Iterate& m_fitted;
     StaticsModel m_refit_model;  ///< no edge carries pressure
     Iterate m_all_taut;
+    Observations m_shifted;  ///< the sites, moved by determinant_shift()
     std::uint64_t m_seed;
 };
 
@@ -347,8 +367,10 @@ ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
     }
     result.supports(Eigen::all, m_net.supports()) =
         (drawn.form - m_net.nodes())(Eigen::all, m_net.supports());
-    result.loads = common.load_factor(drawn.common) - 1.0;
     result.own_loads = drawn.loads;
+    if (const Points change = common.load_change(drawn.common); change.cols() > 0) {
+        result.own_loads += change;
+    }
     return result;
 }
 
@@ -365,23 +387,97 @@ double Perturbation::squared_departure(const Iterate& drawn, const Eigen::Vector
     return sum;
 }
 
-std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
-                                                     Workspace& workspace) const {
-    RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
-    const Observations of_mean = with_drawn_mean(m_sites, random);
-    const Eigen::VectorXd blur = blur_variances(refit_all);
-    const Observations again = perturbed(m_net, of_mean, blur, random);
+std::optional<Perturbation::Perturbed> Perturbation::fit_of(RandomNumbers& random, bool refit_all,
+                                                            Workspace& workspace) const {
+    Observations of_mean = with_drawn_mean(m_shifted, random);
+    const Observations again = perturbed(m_net, of_mean, blur_variances(refit_all), random);
     auto fit = refit_all ? std::nullopt : followed(again);
     const bool refit = !fit;
     if (refit && (refit_all || (m_net.is_linear() && can_be_fitted(m_net)))) {
         fit = refitted(again, workspace);
     }
-    if (!fit) {
+    return fit ? std::optional(Perturbed{std::move(of_mean), *std::move(fit), refit})
+               : std::nullopt;
+}
+
+/// (determinant): by how much fits to perturbed observations lie off the posterior, minus their
+/// covariance with half the logarithm of the determinant. Nothing where few of them converge.
+std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_all,
+                                                                   const Progress& progress) const {
+    constexpr int samples = 50;  // the mean of a normal number is then known to 0.14
+    constexpr int fewest = 30;
+    constexpr std::uint32_t other_than_draws = 0x40000000U;
+    std::vector<std::optional<Iterate>> iterates(samples);
+    Eigen::VectorXd determinants = Eigen::VectorXd::Zero(samples);
+    PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
+    parallel_for(0, samples, [&](int k) {
+        if (progress.stopped()) {
+            throw Interrupted();
+        }
+        isolate([&] {
+            Workspace& workspace = workspaces.local();
+            RandomNumbers random(m_seed, other_than_draws + static_cast<std::uint32_t>(k));
+            std::optional<Perturbed> found = fit_of(random, refit_all, workspace);
+            if (!found) {
+                return;
+            }
+            workspace.last = linearise(model_of(found->is_refitted), found->fit.iterate, m_sites,
+                                       std::move(workspace.last));
+            if (workspace.last) {
+                determinants(k) = workspace.last->half_log_determinant(m_sites);
+                iterates[k] = std::move(found->fit.iterate);
+            }
+        });
+    });
+    const auto count = std::ranges::count_if(iterates, &std::optional<Iterate>::has_value);
+    if (count < fewest) {
         return std::nullopt;
     }
+    const double mean = determinants.sum() / static_cast<double>(count);
+    Shift result{.by = nominal_iterate(m_net, m_model.common.count()), .size = 0.0};
+    result.by.form.setZero();
+    for (int k = 0; k < samples; ++k) {
+        if (iterates[k]) {
+            const double weight = (determinants(k) - mean) / static_cast<double>(count - 1);
+            // From the fit: the mean of all cancels.
+            result.by = result.by.moved(iterates[k]->moved(m_fitted, -1.0), -weight);
+            result.size += weight * (determinants(k) - mean);
+        }
+    }
+    result.size = std::sqrt(result.size);
+    return result;
+}
+
+/// All that is observed and assumed, moved so that fits move by this, to first order.
+Observations Perturbation::moved_sites(const Iterate& shift) const {
+    Observations result = m_sites;
+    const Iterate at = m_fitted.moved(shift);
+    result.form += shift.form;
+    result.support_mean += m_model.support_deviations(at) - m_model.support_deviations(m_fitted);
+    result.mean += shift.deviations;
+    result.load_mean += shift.loads;
+    result.common_mean += shift.common;
+    result.tension += m_sites.measured(m_model.tensions(at), at.common) -
+                      m_sites.measured(m_model.tensions(m_fitted), m_fitted.common);
+    if (m_sites.evidence) {
+        result.evidence_pull +=
+            m_sites.evidence->information * shift.lengths_and_common(result.evidence_pull.size());
+    }
+    return result;
+}
+
+std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
+                                                     Workspace& workspace) const {
+    RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
+    std::optional<Perturbed> found = fit_of(random, refit_all, workspace);
+    if (!found) {
+        return std::nullopt;
+    }
+    const Fit* const fit = &found->fit;
     Iterate drawn = fit->iterate;
     const Eigen::VectorXd own_stiffness =
-        separate_lengths(drawn, fit->tensions, of_mean.mean, blur, refit, random);
+        separate_lengths(drawn, fit->tensions, found->of_mean.mean, blur_variances(refit_all),
+                         found->is_refitted, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -466,15 +562,30 @@ PerturbedDraws Perturbation::collected(const std::vector<std::optional<Draw>>& d
     return result;
 }
 
-PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) const {
+PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) {
     std::vector<std::optional<Draw>> draws;
     add_draws(draws, std::min(count, pilot_draws), refit_all, progress);
     PerturbedDraws pilot = collected(draws, refit_all);
-    if (pilot.is_unreliable() || count <= pilot_draws) {
+    if (pilot.is_unreliable()) {
         return pilot;
     }
+    // A large shift changes the determinant's slope: once more, from there.
+    constexpr double large = 0.3;
+    bool is_moved = false;
+    std::optional<Shift> shift = determinant_shift(refit_all, progress);
+    for (int k = 0; shift && k < 2; ++k) {
+        m_shifted = moved_sites(shift->by);
+        is_moved = is_moved || shift->size > large;
+        if (shift->size < large || k == 1) {
+            break;
+        }
+        shift = determinant_shift(refit_all, progress);
+    }
+    draws.clear();
     add_draws(draws, count, refit_all, progress);
-    return collected(draws, refit_all);
+    PerturbedDraws result = collected(draws, refit_all);
+    result.is_moved = is_moved;
+    return result;
 }
 
 }  // namespace

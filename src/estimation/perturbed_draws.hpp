@@ -23,6 +23,7 @@ struct PerturbedDraws {
     /// Deviations from the net besides lengths, one a draw; empty where there can be none.
     std::vector<ModelPerturbation> perturbations;
     bool is_refitted = false;  ///< each by a fit of its own, not by the linearisation at the fit
+    bool is_moved = false;     ///< far off the fit, (determinant): estimates are theirs
     /// Root mean square distance of the forms in equilibrium from those drawn, over surveyed
     /// coordinates and draws, in standard deviations of the survey; force measurements likewise.
     double departure = 0.0;
@@ -40,8 +41,9 @@ struct PerturbedDraws {
 /// the posterior, a few solutions with the factor of the fit suffice. With by_fits, and on linear
 /// nets that are not too large where these do not contract, draws are fitted by themselves with
 /// edges that carry no pressure and with their own tension laws (randomise-then-optimise, J. M.
-/// Bardsley, A. Solonen, H. Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910, with
-/// equal weights).
+/// Bardsley, A. Solonen, H. Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910).
+/// Instead of weights, all draws are moved by the mean that weights would give them,
+/// docs/theory.md (determinant).
 /// Lengths of slack edges follow the prior beyond the form. Those of taut ones may lie a little
 /// outside its bounds, like the normal distributions with its mean and variance: truncated there,
 /// tensions would be too certain. The result does not depend on the number of threads.

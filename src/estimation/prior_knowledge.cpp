@@ -6,6 +6,28 @@
 #include <cmath>
 
 namespace taut {
+namespace {
+
+/// (shared-error): as a part of the measured tension, so that the misfit is linear in it. Where no
+/// parameter holds what it shares with others, this is part of its own error.
+void set_shared_error(const ForceMeasurement& force,
+                      const std::vector<UncertainParameter>& uncertain, Observations& result) {
+    using Kind = UncertainParameter::Kind;
+    const Kind kind = force.is_by_mass() ? Kind::mass : Kind::forces;
+    int k = 0;
+    for (const UncertainParameter& parameter : uncertain) {
+        if (parameter.kind == kind) {
+            result.tension_bias(force.edge, k) =
+                std::hypot(parameter.std * force.tension, force.shared_std);
+            return;
+        }
+        k += is_common(parameter) ? 1 : 0;
+    }
+    result.tension_weights(force.edge) =
+        1.0 / (force.std * force.std + force.shared_std * force.shared_std);
+}
+
+}  // namespace
 
 double PriorKnowledge::length_std() const {
     double sum = 0.0;
@@ -88,6 +110,7 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
     for (const ForceMeasurement& force : knowledge.forces.measurements) {
         result.tension(force.edge) = force.tension;
         result.tension_weights(force.edge) = 1.0 / (force.std * force.std);
+        set_shared_error(force, knowledge.uncertain, result);
     }
     return result;
 }

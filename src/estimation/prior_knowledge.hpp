@@ -20,6 +20,7 @@ struct PriorKnowledge {
     std::vector<UncertainParameter> uncertain;
     Forces forces;
     bool frame_is_unknown = false;                   ///< of the survey
+    Points test_loads = Points(3, 0);                ///< of the survey, in the net's loads [N]
     std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: none
 
     /// One prior for all lengths, and nothing else.

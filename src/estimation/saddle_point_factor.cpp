@@ -162,6 +162,15 @@ void SaddlePointFactor::assemble_condensed(int edge, int node, const Places& pla
     }
 }
 
+double SaddlePointFactor::log_determinant() const {
+    double sum = m_factor->log_determinant();
+    for (int e = 0; m_lengths_go == LengthsGo::first && e < length_weights.size(); ++e) {
+        const double pivot = length_pivot(e);  // 0 of a known length
+        sum += pivot > 0.0 ? std::log(pivot) : 0.0;
+    }
+    return sum;
+}
+
 /// p.
 double SaddlePointFactor::length_pivot(int edge) const {
     return length_weights(edge) +

@@ -91,6 +91,9 @@ public:
     /// After factorize().
     [[nodiscard]] Vector solve(const Vector& right_side) const;
 
+    /// log of the determinant's absolute value, after factorize().
+    [[nodiscard]] double log_determinant() const;
+
     struct Covariance {
         std::vector<Eigen::Matrix3d> places;       ///< one a node
         std::vector<Eigen::Matrix3d> multipliers;  ///< negative semidefinite, one a free node

@@ -52,8 +52,8 @@ StaticsNumbering::StaticsNumbering(const CableNet& net, Supports of_supports)
 }
 
 StaticsModel::StaticsModel(const CableNet& net, const std::vector<UncertainParameter>& uncertain,
-                           bool frame_is_unknown)
-    : common(net, uncertain, frame_is_unknown),
+                           bool frame_is_unknown, const Points& test_loads)
+    : common(net, uncertain, frame_is_unknown, test_loads),
       slack(net.edge_count(), false),
       m_net(&net),
       m_own_stiffness_stds(taut::own_stiffness_stds(net, uncertain)),
@@ -134,7 +134,10 @@ Eigen::VectorXd StaticsModel::tensions(const Iterate& iterate) const {
 }
 
 Points StaticsModel::imbalance(const Iterate& iterate) const {
-    Points forces = -common.load_factor(iterate.common) * m_net->loads() - iterate.loads;
+    Points forces = -m_net->loads() - iterate.loads;
+    if (const Points change = common.load_change(iterate.common); change.cols() > 0) {
+        forces -= change;
+    }
     for (int e = 0; e < m_net->edge_count(); ++e) {
         if (!slack[e]) {
             const auto [s, t] = m_net->edges()[e];
@@ -177,7 +180,8 @@ double StaticsModel::objective(const Observations& observations, const Iterate& 
                       observations.evidence_pull.dot(x);
     }
     const Points of_supports = observations.support_mean - support_deviations(iterate);
-    const Eigen::VectorXd of_forces = observations.tension - tensions(iterate);
+    const Eigen::VectorXd of_forces =
+        observations.tension - observations.measured(tensions(iterate), iterate.common);
     return of_evidence +
            0.5 * (quadratic_terms(observations, misfit, 0.0) +
                   observations.support_weights.cwiseProduct(of_supports.cwiseAbs2()).sum() +

@@ -79,9 +79,10 @@ public:
     /// @param uncertain of the net, checked; observations must have places and loads accordingly
     /// @param frame_is_unknown of the survey: places are then in its frame, in which the supports
     ///   move together
+    /// @param test_loads as of CommonParameters
     explicit StaticsModel(const CableNet& net,
                           const std::vector<UncertainParameter>& uncertain = {},
-                          bool frame_is_unknown = false);
+                          bool frame_is_unknown = false, const Points& test_loads = Points(3, 0));
 
     CommonParameters common;  ///< iterates must have as many
     std::vector<bool> slack;  ///< the slack set: edges (m) that carry nothing; none at first

@@ -136,7 +136,7 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_settings(checked(net, survey, knowledge, settings)),
       m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
-      m_model(net, knowledge.uncertain, knowledge.frame_is_unknown),
+      m_model(net, knowledge.uncertain, knowledge.frame_is_unknown, knowledge.test_loads),
       m_hypotheses(net, all_hypotheses(net, m_survey, knowledge, settings)) {
     m_model.blur = blur_by(net, m_length_std, knowledge.uncertain);
     assume(m_hypotheses);
@@ -260,8 +260,9 @@ void SurveyFit::assume(const Hypotheses& hypotheses) {
     m_knowledge.priors = priors_with_released(hypotheses, m_net, m_priors);
     if (BoundaryReleases released = boundary_releases(hypotheses);
         m_model.common.released() != released) {
-        m_model.common = CommonParameters(m_net, m_knowledge.uncertain,
-                                          m_knowledge.frame_is_unknown, std::move(released));
+        m_model.common =
+            CommonParameters(m_net, m_knowledge.uncertain, m_knowledge.frame_is_unknown,
+                             m_knowledge.test_loads, std::move(released));
     }
 }
 
@@ -277,9 +278,10 @@ void SurveyFit::test(Explanation& found, const Mode& mode) const {
         [this](int node) { return m_covariance.places[node]; }, mode.inflation);
     if (!forces.empty()) {
         test_forces(
-            hypotheses, forces, m_model.tensions(at), m_covariance.tensions,
+            hypotheses, forces, observed.measured(m_model.tensions(at), at.common),
+            m_covariance.measured,
             [this](const Eigen::VectorXd& weights) {
-                return m_linearisation->covariances_with(weights).dot(weights);
+                return m_linearisation->measured_variance(weights);
             },
             mode.inflation);
     }

@@ -226,7 +226,9 @@ std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
         result.push_back({.edge = force.edge,
                           .measured = force.tension,
                           .expected = force.tension - one.deviation(0),
-                          .statistic = one.statistic});
+                          .statistic = one.statistic,
+                          .source = force.source,
+                          .mode = force.mode});
     }
     return result;
 }

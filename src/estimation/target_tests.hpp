@@ -40,12 +40,13 @@ void test_targets(Hypotheses& hypotheses, const Survey& survey, const Points& no
                   const Points& fitted_form, const FormCovariance& covariance,
                   double inflation = 1.0);
 
-/// Posterior variance of a weighted sum of tensions, weights by edge (m) [N2 of the weights].
+/// Posterior variance of a weighted sum of measured tensions, weights by edge (m) [N2 of the
+/// weights].
 using SumVariance = std::function<double(const Eigen::VectorXd& weights)>;
 
 /// The same, after it, of each force measurement, with one degree of freedom, and of all of them
 /// together: whether they fit only if each is off by the same part, (common-bias).
-/// @param tensions of the fit (m) [N]
+/// @param tensions measured ones by the fit, with the error that they share (m) [N]
 /// @param variances of these, posterior (m) [N2]
 void test_forces(Hypotheses& hypotheses, const std::vector<ForceMeasurement>& forces,
                  const Eigen::VectorXd& tensions, const Eigen::VectorXd& variances,

@@ -200,16 +200,18 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         drawn = draw(true);
         reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
     }
-    PosteriorDraws draws{
-        .length_deviations = interior(drawn.deviations),
-        .adjustable_deviations = {},
-        .perturbations = perturbations_of(fit_net, drawn.perturbations),
-        .forms = std::move(drawn.forms),
-        .tensions = std::move(drawn.tensions),
-        .seed = settings.seed,
-        .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
-        .is_refitted = drawn.is_refitted,
-        .reason = std::move(reason)};
+    PosteriorDraws draws{.length_deviations = interior(drawn.deviations),
+                         .adjustable_deviations = {},
+                         .perturbations = perturbations_of(fit_net, drawn.perturbations),
+                         .forms = std::move(drawn.forms),
+                         .tensions = std::move(drawn.tensions),
+                         .seed = settings.seed,
+                         .how = drawn.is_refitted ? "a fit each to a perturbed survey"
+                                : drawn.is_moved
+                                    ? "perturbation of the fit, moved to the posterior mean"
+                                    : "perturbation of the fit",
+                         .is_refitted = drawn.is_refitted || drawn.is_moved,
+                         .reason = std::move(reason)};
     if (has_all_lengths) {
         draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
     }

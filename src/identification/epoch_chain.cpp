@@ -64,17 +64,21 @@ std::vector<EdgeTurned> turned_until(std::span<const Epoch> epochs, size_t k) {
     return all_turned(steps);
 }
 
-CableNet balanced_net(const CableNet& net, std::span<const EdgeTurned> turned) {
-    if (turned.empty()) {
+CableNet net_at_survey(const CableNet& net, std::span<const Epoch> epochs, size_t k) {
+    const std::vector<EdgeTurned> turned = turned_until(epochs, k);
+    if (turned.empty() && !epochs[k].is_loaded()) {
         return net;
     }
-    const CableNet changed = turned_net(net, turned);
-    const Equilibrium equilibrium = solve_equilibrium(changed);
+    CableNetData data = turned_net(net, turned).data();
+    if (epochs[k].is_loaded()) {
+        data.loads = data.loads.cols() > 0 ? Points(data.loads + epochs[k].loads) : epochs[k].loads;
+    }
+    const Equilibrium equilibrium = solve_equilibrium(CableNet(CableNetData(data)));
     if (!equilibrium.balanced()) {
         throw NumericalError(
-            fmt::format("the net finds no equilibrium after the turns of {} edges", turned.size()));
+            fmt::format("the net finds no equilibrium after the turns of {} edges{}", turned.size(),
+                        epochs[k].is_loaded() ? " and under the loads hung on it" : ""));
     }
-    CableNetData data = changed.data();
     data.nodes = equilibrium.form;
     return CableNet(std::move(data));
 }
@@ -88,6 +92,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
       m_widest_turn(widest_turn(net)),
       m_uncertain(options.uncertain),
       m_common(static_cast<int>(std::ranges::count_if(options.uncertain, is_common))),
+      m_reported(static_cast<int>(reported_epoch(epochs))),
       m_changes(epochs.size()) {
     const bool is_given = std_of(m_uncertain, UncertainParameter::Kind::adjustable) > 0.0;
     double actuator_std = std::max(least_actuator_std, largest_actuator_std(epochs));
@@ -107,9 +112,10 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
     m_edges = net_to_fit(net, m_uncertain).interior_edges();
     Eigen::VectorXd stds = adjustable_stds(net, options.uncertain);
     for (size_t k = 0; k < epochs.size(); ++k) {
-        m_states.push_back({.net = balanced_net(net, turned_until(epochs, k)),
+        m_states.push_back({.net = net_at_survey(net, epochs, k),
                             .survey = &epochs[k].survey,
                             .turned = &epochs[k].turned,
+                            .loads = &epochs[k].loads,
                             .prior = first_prior(stds),
                             .added = Eigen::VectorXd::Zero(size()),
                             .earlier = no_evidence(size()),
@@ -189,7 +195,8 @@ Given EpochChain::given(int k) const {
     const State& state = m_states[k];
     Given result(m_prior);
     result.uncertain = m_uncertain;
-    if (k + 1 == count()) {
+    result.test_loads = *state.loads;
+    if (k == m_reported) {
         result.forces = m_options.forces;
     }
     constexpr double a_little_more = 1.0 + 1e-6;

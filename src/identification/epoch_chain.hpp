@@ -18,9 +18,9 @@ namespace taut {
 /// What was turned until a survey, together.
 [[nodiscard]] std::vector<EdgeTurned> turned_until(std::span<const Epoch> epochs, size_t k);
 
-/// The net after turns, with its nodes in equilibrium: a fit begins there.
+/// The net at a survey, turned and loaded, with its nodes in equilibrium: a fit begins there.
 /// @throws std::runtime_error where it finds no equilibrium
-[[nodiscard]] CableNet balanced_net(const CableNet& net, std::span<const EdgeTurned> turned);
+[[nodiscard]] CableNet net_at_survey(const CableNet& net, std::span<const Epoch> epochs, size_t k);
 
 /// Whether more lengths changed than can have: then the turns are wrong.
 [[nodiscard]] bool are_too_many_changes(const CableNet& net, size_t changes);
@@ -82,6 +82,8 @@ public:
     [[nodiscard]] double difference_ratio(size_t a, size_t b) const;
 
     [[nodiscard]] int count() const { return static_cast<int>(m_states.size()); }
+    /// reported_epoch()
+    [[nodiscard]] int reported() const { return m_reported; }
     /// The net at a survey, its fit, and all that the fit was given.
     [[nodiscard]] const CableNet& net_at(int k) const { return m_states[k].net; }
     [[nodiscard]] const Identification& found(int k) const { return m_states[k].found; }
@@ -92,6 +94,7 @@ private:
         CableNet net;
         const Survey* survey;
         const std::vector<EdgeTurned>* turned;  ///< since the survey before
+        const Points* loads;                    ///< Epoch::loads
         Eigen::VectorXd prior;                  ///< prior variances of x
         Eigen::VectorXd added;                  ///< variances of x since the survey before
         LengthEvidence earlier;                 ///< by the surveys before
@@ -134,6 +137,7 @@ private:
     bool m_has_actuator_std;  ///< whether lengths of adjustable edges are uncertain
     std::vector<UncertainParameter> m_uncertain;
     int m_common;              ///< number of common parameters
+    int m_reported;            ///< reported_epoch()
     std::vector<int> m_edges;  ///< with uncertain length
     std::vector<State> m_states;
     std::vector<Changes> m_changes;

@@ -101,12 +101,20 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
             fmt::format("the net has {} interior edges, expected at most {} for several surveys",
                         net.interior_edge_count(), most_edges_of_epochs));
     }
-    if (!epochs.front().turned.empty()) {
-        throw std::invalid_argument("nothing can be turned before the first survey");
+    if (!epochs.front().turned.empty() || epochs.front().is_loaded()) {
+        throw std::invalid_argument("nothing can be turned or hung on before the first survey");
     }
+    static_cast<void>(reported_epoch(epochs));
     for (size_t k = 0; k < epochs.size(); ++k) {
         with_epoch(k, [&] { check_survey(net, epochs[k].survey); });
         check_turned(net, epochs[k].turned);
+        if (epochs[k].is_loaded() &&
+            (epochs[k].loads.cols() != net.node_count() || !epochs[k].loads.allFinite())) {
+            throw std::invalid_argument(
+                fmt::format("the loads at survey {} are {} columns, expected one finite force a "
+                            "node: {}",
+                            k + 1, epochs[k].loads.cols(), net.node_count()));
+        }
         try {
             check_turned(net, turned_until(epochs, k));
         } catch (const std::invalid_argument& error) {
@@ -292,8 +300,7 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
     for (size_t k = 0; k < epochs.size(); ++k) {
         if (k > 0) {
             scales[k] = with_epoch(k, [&] {
-                return identify(balanced_net(net, turned_until(epochs, k)), epochs[k].survey,
-                                of_form, progress)
+                return identify(net_at_survey(net, epochs, k), epochs[k].survey, of_form, progress)
                     .noise_scale;
             });
         }
@@ -319,6 +326,7 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
         const EpochChain::Changes& changed = changes[static_cast<size_t>(k)];
         results.push_back({.surveyed = static_cast<int>(survey.surveyed.size()),
                            .turned = epochs[static_cast<size_t>(k)].turned,
+                           .load = epochs[static_cast<size_t>(k)].loads.colwise().norm().sum(),
                            .outliers = found.outliers,
                            .boundary_outliers = found.boundary_outliers,
                            .frame_offset = found.frame_offset,
@@ -345,10 +353,10 @@ struct Comparison {
 
 Identification last_of(const EpochChain& chain, const Comparison& of, int draws, std::uint64_t seed,
                        const Progress& progress) {
-    const int last = chain.count() - 1;
-    return identify_by_maximum_a_posteriori(chain.net_at(last), of.epochs.back().survey,
-                                            chain.given(last), {}, {.count = draws, .seed = seed},
-                                            progress);
+    const int k = chain.reported();
+    return identify_by_maximum_a_posteriori(
+        chain.net_at(k), of.epochs[static_cast<size_t>(k)].survey, chain.given(k), {},
+        {.count = draws, .seed = seed}, progress);
 }
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
@@ -358,10 +366,10 @@ std::optional<Identification> over_priors(const Comparison& of, const std::vecto
     if (nodes.size() < 2) {
         return std::nullopt;
     }
-    const CableNet last = balanced_net(of.net, turned_until(of.epochs, of.epochs.size() - 1));
+    const size_t reported = reported_epoch(of.epochs);
     return mixture_over(
-        last, of.epochs.back().survey, nodes, of.options.draws,
-        [&](size_t k, int draws) -> std::optional<Identification> {
+        net_at_survey(of.net, of.epochs, reported), of.epochs[reported].survey, nodes,
+        of.options.draws, [&](size_t k, int draws) -> std::optional<Identification> {
             EpochChain chain(of.net, of.epochs, of.options, nodes[k].prior, 0.0, of.changes);
             return chain.converge(progress)
                        ? std::optional(last_of(chain, of, draws, of.options.seed + k, progress))
@@ -371,17 +379,43 @@ std::optional<Identification> over_priors(const Comparison& of, const std::vecto
 
 }  // namespace
 
+size_t reported_epoch(std::span<const Epoch> epochs) {
+    size_t k = epochs.size();
+    while (k > 0 && epochs[k - 1].is_loaded()) {
+        --k;
+        if (!epochs[k].turned.empty()) {
+            throw std::invalid_argument(fmt::format(
+                "survey {} was made after turns and under loads hung on the net, and none since "
+                "without them: expected one, which the result is of",
+                k + 1));
+        }
+    }
+    if (k == 0) {
+        throw std::invalid_argument("every survey was made under loads hung on the net");
+    }
+    return k - 1;
+}
+
 Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                const IdentifyOptions& options, const Progress& progress) {
     if (options.assume_site) {
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
-        std::vector<UncertainParameter> uncertain = with_site_assumptions(net, options.uncertain);
+        std::vector<UncertainParameter> uncertain =
+            with_site_assumptions(net, options.uncertain, measured_by(options.forces));
         // How far turns differ from those given the surveys show: the chain estimates it.
         std::erase_if(uncertain, [&](const UncertainParameter& one) {
             return one.kind == Kind::adjustable &&
                    std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
+        constexpr double of_test_loads = 0.02;
+        const auto is_of_test_loads = [](const UncertainParameter& one) {
+            return one.kind == Kind::test_loads;
+        };
+        if (std::ranges::any_of(epochs, &Epoch::is_loaded) &&
+            std::ranges::none_of(uncertain, is_of_test_loads)) {
+            uncertain.push_back({.kind = Kind::test_loads, .std = of_test_loads, .group = {}});
+        }
         on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         Identification result = identify_epochs(net, epochs, on_site, progress);
         std::vector<UncertainParameter> not_assumed = options.uncertain;
@@ -411,6 +445,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     EpochChain each(net, scaled, to_compare, prior, least_actuator_std);
     const bool is_compared = each.find_changes(progress);
     const int last = each.count() - 1;
+    const size_t reported = reported_epoch(epochs);
     std::vector<EpochChain::Changes> changed = each.changes();
     if (is_compared && to_compare.uncertain != options.uncertain) {
         // With the net it does not.
@@ -421,14 +456,14 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     for (int k = 0; k <= last && result.status == IdentificationStatus::converged; ++k) {
         const EpochChain::Changes& changes = changed[static_cast<size_t>(k)];
         if (changes.is_of_all_turns) {
-            result = each.found(last);
+            result = each.found(each.reported());
             result.status = IdentificationStatus::survey_does_not_fit;
             result.message = fmt::format(
                 "{} {}", strokes_text(k, changes.stroke_factor, changes.stroke_factor_std),
                 what_to_check);
         }
         if (are_too_many_changes(net, changes.lengths.size())) {
-            result = each.found(last);
+            result = each.found(each.reported());
             result.status = IdentificationStatus::survey_does_not_fit;
             result.message =
                 k == 0
@@ -458,7 +493,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
             name_given_widths(result, options.uncertain);
             add_repeats(together, chain);
         } else {
-            result = chain.found(last);
+            result = chain.found(chain.reported());
         }
         for (int k = 0; !movement && k <= last; ++k) {
             if (chain.found(k).status != IdentificationStatus::converged) {
@@ -477,7 +512,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                  .next = "Identify from the last survey alone, and compare."});
         }
         result.epochs = epoch_results(chain, first, changed, scaled, noise_scales);
-        result.epochs.back().trust = trust_of(chain.net_at(last), scaled.back().survey, result);
+        result.epochs[reported].trust =
+            trust_of(chain.net_at(chain.reported()), scaled[reported].survey, result);
     } else {
         result.epochs = epoch_results(each, first, changed, scaled, noise_scales);
     }
@@ -496,7 +532,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     result.contradicted_prior = first.contradicted_prior;
     result.prior_was_given = options.prior.has_value();
     result.turned = turned_until(epochs, epochs.size() - 1);
-    result.noise_scale = noise_scales.back();
+    result.noise_scale = noise_scales[reported];
     result.method = to_string(IdentificationMethod::map);
     result.method_reason = fmt::format("{} surveys are given", epochs.size());
     result.how = fmt::format(

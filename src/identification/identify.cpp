@@ -452,6 +452,15 @@ void check_model(const CableNet& net, const LengthModel& model,
     }
 }
 
+MeasuredForces measured_by(const Forces& forces) {
+    const auto any = [&](bool by_mass) {
+        return std::ranges::any_of(forces.measurements, [by_mass](const ForceMeasurement& one) {
+            return one.is_by_mass() == by_mass;
+        });
+    };
+    return {.by_cells = any(false), .by_mass = any(true)};
+}
+
 Identification identify(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
                         const Progress& progress) {
     const LengthPrior prior =
@@ -482,7 +491,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         on_site.assume_site = false;
         std::vector<UncertainParameter> uncertain = options.uncertain;
         if (method == IdentificationMethod::map && survey.is_noisy()) {
-            uncertain = with_site_assumptions(net, options.uncertain);
+            uncertain = with_site_assumptions(net, options.uncertain, measured_by(options.forces));
             on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         }
         Identification result = identify(net, survey, on_site, progress);

@@ -352,6 +352,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         given.own_stds.size() > 0 ? given.own_stds : adjustable_stds(net, given.uncertain));
     all.evidence = given.evidence;
     all.frame_is_unknown = survey.frame_is_unknown;
+    all.test_loads = given.test_loads;
     PriorKnowledge unseen = all;
     unseen.forces.taut.clear();
     unseen.forces.slack.clear();

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "net/weight_as_load.hpp"
 #include "taut/estimation/edge_status.hpp"
 
 namespace taut {
@@ -65,6 +66,9 @@ public:
                 case Kind::stiffness:
                 case Kind::temperature:
                 case Kind::loads:
+                case Kind::forces:
+                case Kind::mass:
+                case Kind::test_loads:
                     add_common(parameter, common++);
                     break;
                 case Kind::stiffness_each:
@@ -251,8 +255,14 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 result.loads = mean;
                 break;
             case Kind::loads_each:
-                result.own_loads(estimate.axis, estimate.node) = mean;
+                result.own_loads(estimate.axis, estimate.node) += mean;
                 break;
+            case Kind::mass:
+                result.own_loads += mean * self_weight(net);
+                break;
+            case Kind::forces:
+            case Kind::test_loads:
+                break;  // an error of measurements, not of the net
         }
     }
     return result;

@@ -51,6 +51,28 @@ std::string prior_text(const LengthPrior& prior) {
     return exact.substr(0, exact.find(':') + 1) + format_length(prior.scale);
 }
 
+/// What may be wrong with a measurement that contradicts the survey: of a frequency, the mode that
+/// explains it, where one does.
+std::string source_hint(const ForceOutlier& outlier) {
+    if (outlier.source == ForceSource::load_cell) {
+        return {};
+    }
+    if (outlier.source == ForceSource::sag) {
+        return "Check its points, and the mass of the cable.";
+    }
+    if (!(outlier.expected > 0.0)) {
+        return "Check its mode, mass and free length.";
+    }
+    // T is as 1 / n^2.
+    const double fitting = outlier.mode * std::sqrt(outlier.measured / outlier.expected);
+    constexpr double closest = 0.15;
+    const double mode = std::max(1.0, std::round(fitting));
+    return mode != outlier.mode && std::abs(fitting - mode) < closest
+               ? fmt::format("It would be that of mode {:.0f}, not {}: check which it is.", mode,
+                             outlier.mode)
+               : "Check its mode, mass and free length.";
+}
+
 /// The targets left out that stand next to each other, where they are most.
 std::vector<std::string> largest_cluster(const CableNet& net,
                                          const std::vector<Outlier>& outliers) {
@@ -666,10 +688,14 @@ private:
             add({.kind = FindingKind::force_measurement,
                  .ids = {m_net.edge_id(outlier.edge)},
                  .value = outlier.measured - outlier.expected,
-                 .reason = fmt::format("The force measured in edge {} is {:.2f} kN, where {:.2f} "
-                                       "kN is expected. taut left it out.",
+                 .reason = fmt::format("The force {} edge {} is {:.2f} kN, where {:.2f} kN is "
+                                       "expected. taut left it out.",
+                                       outlier.source == ForceSource::load_cell ? "measured in"
+                                       : outlier.source == ForceSource::sag     ? "by the sag of"
+                                                                            : "by the frequency of",
                                        m_net.edge_id(outlier.edge), 1e-3 * outlier.measured,
-                                       1e-3 * outlier.expected)});
+                                       1e-3 * outlier.expected),
+                 .next = source_hint(outlier)});
         }
     }
 

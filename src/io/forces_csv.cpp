@@ -98,9 +98,12 @@ std::string force_unit_warning(const CableNet& net,
     }
     constexpr double kilo = 1e3;
     const bool is_kilo = median * kilo > 1.0 / far && median * kilo < far;
-    const std::string text =
-        fmt::format("the median measured tension is {:.2g} times the designed one: {}", median,
-                    is_kilo ? "most likely the unit is kN, give it" : "check the unit");
+    const char* const advice = measurements[0].is_by_mass()
+                                   ? "check the modes of frequencies, and the net's mass [kg/m]"
+                               : is_kilo ? "most likely the unit is kN, give it"
+                                         : "check the unit";
+    const std::string text = fmt::format(
+        "the median measured tension is {:.2g} times the designed one: {}", median, advice);
     if (median < 1.0 / impossible || median > impossible) {
         throw InputError(file_name, "", text);
     }

@@ -184,6 +184,7 @@ CableNetData read_data(const JsonValue& root) {
     data.mass = read_rates(root.find("mass"), data.edges.size());
     data.expansion = read_rates(root.find("expansion"), data.edges.size());
     data.breaking_load = read_rates(root.find("breaking_load"), data.edges.size());
+    data.bending_stiffness = read_rates(root.find("bending_stiffness"), data.edges.size());
     data.thread = read_threads(root.find("thread"));
     data.runs = read_runs(root.find("runs"));
     return data;

@@ -12,7 +12,7 @@ inline constexpr std::string_view net_format = "taut-net";
 inline constexpr int net_version = 1;
 
 /// The keys that the native net format gives a meaning.
-inline constexpr std::array<std::string_view, 20> net_keys{"format",
+inline constexpr std::array<std::string_view, 21> net_keys{"format",
                                                            "version",
                                                            "name",
                                                            "nodes",
@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 20> net_keys{"format",
                                                            "mass",
                                                            "expansion",
                                                            "breaking_load",
+                                                           "bending_stiffness",
                                                            "thread",
                                                            "runs"};
 

@@ -297,6 +297,7 @@ void validate(const CableNetData& data) {
     check_groups(data);
     check_runs(data);
     check_rates("mass", data.mass, data.edges.size(), 0.0);
+    check_rates("bending_stiffness", data.bending_stiffness, data.edges.size(), 0.0);
     check_rates("expansion", data.expansion, data.edges.size(),
                 std::numeric_limits<double>::lowest());
     if (data.breaking_load.size() > 0) {

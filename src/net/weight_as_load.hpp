@@ -15,4 +15,10 @@ inline CableNetData with_weight_as_load(const CableNet& net) {
     return data;
 }
 
+/// The self-weight of the edges, as loads (3 x n) [N].
+inline Points self_weight(const CableNet& net) {
+    const Points& loads = net.data().loads;
+    return loads.cols() > 0 ? Points(net.loads() - loads) : net.loads();
+}
+
 }  // namespace taut

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/supernodal_factor.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
 #include <numeric>
@@ -276,6 +277,25 @@ Eigen::VectorXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::VectorXd>&
         x.segment(supernode.begin, L.cols()) = v.head(L.cols());
     }
     return x(m_number);
+}
+
+double SupernodalFactor::log_determinant() const {
+    double sum = 0.0;
+    for (const Front& front : m_fronts) {
+        const FrontMatrix L = factor_of(front);
+        if (m_definiteness == Definiteness::positive_definite) {
+            sum += 2.0 * L.diagonal().array().log().sum();
+            continue;
+        }
+        for (size_t k = 0; k + 1 < front.panels.size(); ++k) {
+            const Eigen::Index begin = front.panels[k];
+            const Eigen::Index width = front.panels[k + 1] - begin;
+            // The inverse of the pivots is kept.
+            const Eigen::PartialPivLU<Eigen::MatrixXd> lu(L.block(begin, begin, width, width));
+            sum -= lu.matrixLU().diagonal().array().abs().log().sum();
+        }
+    }
+    return sum;
 }
 
 Eigen::VectorXd SupernodalFactor::pivots() const {

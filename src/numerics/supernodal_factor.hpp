@@ -79,6 +79,9 @@ public:
     /// left of its entry when all unknowns before it are eliminated.
     [[nodiscard]] Eigen::VectorXd pivots() const;
 
+    /// log |det A|, after factorize().
+    [[nodiscard]] double log_determinant() const;
+
     /// Takes the inverse over the unknowns of a block's front, both triangles. Is called in
     /// parallel for different fronts.
     using Reader = std::function<void(int block, const Places&, const FrontMatrix& inverse)>;

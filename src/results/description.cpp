@@ -21,4 +21,10 @@ void read_value(const JsonValue& json, EdgeStatus& value) {
     }
 }
 
+void read_value(const JsonValue& json, ForceSource& value) {
+    for (const ForceSource source : enumerators<ForceSource>()) {
+        value = json.text() == to_string(source) ? source : value;
+    }
+}
+
 }  // namespace taut

@@ -21,6 +21,7 @@
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/results/results_json.hpp"
+#include "taut/survey/forces.hpp"
 
 namespace taut {
 
@@ -63,6 +64,9 @@ constexpr Trust::Verdict last_of(Trust::Verdict /*type*/) {
 }
 constexpr Trust::Finding::Kind last_of(Trust::Finding::Kind /*type*/) {
     return Trust::Finding::Kind::other;
+}
+constexpr ForceSource last_of(ForceSource /*type*/) {
+    return ForceSource::sag;
 }
 constexpr EdgeStatus last_of(EdgeStatus /*type*/) {
     return EdgeStatus::slack;
@@ -181,6 +185,7 @@ inline void read_value(const JsonValue& json, Eigen::Vector3d& value) {
 void read_value(const JsonValue& json, UncertainParameter& value);
 /// Knows the words of 0.2.0, too.
 void read_value(const JsonValue& json, EdgeStatus& value);
+void read_value(const JsonValue& json, ForceSource& value);
 
 /// Reads a value that the schema accepts.
 template <class V>

@@ -104,7 +104,9 @@ Description<ForceOutlier> describe(const ForceOutlier* /*type*/) {
         .key("id", TAUT_VALUE(c.net->edge_id(it.edge)))
         .key("measured", &ForceOutlier::measured)
         .key("expected", &ForceOutlier::expected, "By all other data [N].")
-        .key("statistic", &ForceOutlier::statistic);
+        .key("statistic", &ForceOutlier::statistic)
+        .newer("source", &ForceOutlier::source, "What it was measured by.")
+        .newer("mode", &ForceOutlier::mode, "Of the frequency; 0 where there is none.");
 }
 
 Description<ForceBias> describe(const ForceBias* /*type*/) {

@@ -51,6 +51,9 @@ std::string_view unit_of(const UncertainParameter& parameter) {
         case UncertainParameter::Kind::stiffness:
         case UncertainParameter::Kind::stiffness_each:
         case UncertainParameter::Kind::loads:
+        case UncertainParameter::Kind::forces:
+        case UncertainParameter::Kind::mass:
+        case UncertainParameter::Kind::test_loads:
             break;
     }
     return "1";

@@ -99,6 +99,8 @@ Description<EpochResult> describe(const EpochResult* /*type*/) {
     return Description<Epoch>("epoch", "One survey among several of the same net.")
         .key("used", &Epoch::surveyed, "Free nodes that were surveyed.")
         .key("turned", &Epoch::turned, "Since the survey before.")
+        .newer("load", &Epoch::load, size,
+               "Loads that hung on the net at this survey alone, sum of magnitudes [N].")
         .key("outliers", &Epoch::outliers, "Targets left out.")
         .newer("boundary", &Epoch::boundary_outliers)
         .newer("frame_offset", &Epoch::frame_offset)

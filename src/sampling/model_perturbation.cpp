@@ -84,10 +84,16 @@ ModelPerturbation draw_perturbation(const CableNet& net,
             case UncertainParameter::Kind::loads_each:
                 for (const int node : net.free_nodes()) {
                     for (double& load : result.own_loads.col(node)) {
-                        load = parameter.std * random.normal();
+                        load += parameter.std * random.normal();
                     }
                 }
                 break;
+            case UncertainParameter::Kind::mass:
+                result.own_loads += parameter.std * random.normal() * self_weight(net);
+                break;
+            case UncertainParameter::Kind::forces:
+            case UncertainParameter::Kind::test_loads:
+                break;  // an error of measurements, not of the net
         }
     }
     return result;

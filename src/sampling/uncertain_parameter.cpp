@@ -29,11 +29,14 @@ constexpr std::array parameter_names{Named{"stiffness", Kind::stiffness, true},
                                      Named{"supports", Kind::supports, false},
                                      Named{"adjustable", Kind::adjustable, false},
                                      Named{"loads", Kind::loads, false},
-                                     Named{"loads", Kind::loads_each, false}};
+                                     Named{"loads", Kind::loads_each, false},
+                                     Named{"forces", Kind::forces, false},
+                                     Named{"mass", Kind::mass, false},
+                                     Named{"test-loads", Kind::test_loads, false}};
 
 constexpr std::string_view parameter_examples =
-    "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N "
-    "or loads:10%";
+    "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N, "
+    "loads:10%, forces:1%, mass:3% or test-loads:1%";
 
 /// @throws std::invalid_argument where the text is not of the kind's unit
 double parse_width(Kind kind, std::string_view text) {
@@ -41,6 +44,9 @@ double parse_width(Kind kind, std::string_view text) {
         case Kind::stiffness:
         case Kind::stiffness_each:
         case Kind::loads:
+        case Kind::forces:
+        case Kind::mass:
+        case Kind::test_loads:
             return parse_part(text);
         case Kind::temperature:
             return parse_temperature(text);
@@ -54,7 +60,8 @@ double parse_width(Kind kind, std::string_view text) {
 }
 
 bool is_relative(Kind kind) {
-    return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads;
+    return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads ||
+           kind == Kind::forces || kind == Kind::mass || kind == Kind::test_loads;
 }
 
 std::string width_text(const UncertainParameter& parameter) {
@@ -62,6 +69,9 @@ std::string width_text(const UncertainParameter& parameter) {
         case Kind::stiffness:
         case Kind::stiffness_each:
         case Kind::loads:
+        case Kind::forces:
+        case Kind::mass:
+        case Kind::test_loads:
             return fmt::format("{:.12g}%", 1e2 * parameter.std);
         case Kind::temperature:
             return fmt::format("{:.12g}K", parameter.std);
@@ -153,8 +163,15 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
             }
             break;
         }
+        case Kind::mass:
+            if (net.data().mass.size() == 0 || net.data().mass.isZero(0.0)) {
+                refuse(parameter, "needs edges with a mass, but the net has no mass [kg/m]");
+            }
+            break;
         case Kind::stiffness:
         case Kind::stiffness_each:
+        case Kind::forces:
+        case Kind::test_loads:
             break;
     }
 }
@@ -233,13 +250,16 @@ void check_uncertain_parameters(const CableNet& net,
 }
 
 std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
-                                                      std::vector<UncertainParameter> given) {
+                                                      std::vector<UncertainParameter> given,
+                                                      MeasuredForces forces) {
     constexpr double common_stiffness = 0.05;
     constexpr double stiffness_of_each = 0.02;
     constexpr double temperature = 5.0;  // [K]
     constexpr double turned = 0.5e-3;    // [m]
     constexpr double moved = 1e-3;       // [m]
     constexpr double most_of_length = 0.1;
+    constexpr double of_cells = 0.01;
+    constexpr double of_mass = 0.03;
     const std::vector<UncertainParameter> before = given;
     const auto assume = [&](Kind kind, double std) {
         const auto is_same = [kind](const UncertainParameter& one) {
@@ -260,6 +280,8 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
                std::min(turned, most_of_length * lengths(net.adjustable_edges()).minCoeff()));
     }
     assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
+    assume(Kind::forces, forces.by_cells ? of_cells : 0.0);
+    assume(Kind::mass, forces.by_mass ? of_mass : 0.0);
     return given;
 }
 

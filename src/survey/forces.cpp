@@ -25,6 +25,18 @@ void mark(const CableNet& net, std::vector<bool>& marked, int edge, const char* 
 
 }  // namespace
 
+std::string_view to_string(ForceSource source) {
+    switch (source) {
+        case ForceSource::load_cell:
+            return "load_cell";
+        case ForceSource::frequency:
+            return "frequency";
+        case ForceSource::sag:
+            return "sag";
+    }
+    return "";
+}
+
 void check_forces(const CableNet& net, const Forces& forces) {
     std::vector<bool> taut(net.edge_count(), false);
     std::vector<bool> slack(net.edge_count(), false);
@@ -52,6 +64,18 @@ void check_forces(const CableNet& net, const Forces& forces) {
                             "expected a positive "
                             "one",
                             net.edge_id(measurement.edge), measurement.std));
+        }
+        if (measurement.mode < 0) {
+            throw std::invalid_argument(
+                fmt::format("the force measurement of edge '{}' is of the mode {}, expected 0 or "
+                            "more",
+                            net.edge_id(measurement.edge), measurement.mode));
+        }
+        if (!(measurement.shared_std >= 0.0) || !std::isfinite(measurement.shared_std)) {
+            throw std::invalid_argument(
+                fmt::format("the force measurement of edge '{}' has the shared standard deviation "
+                            "{} N, expected 0 or more",
+                            net.edge_id(measurement.edge), measurement.shared_std));
         }
         if (slack[measurement.edge]) {
             throw std::invalid_argument(

@@ -63,6 +63,7 @@ protected:
              {1, m_net.adjustable_edges().front()}) {  // the length of one is known
             m_observed.tension(edge) = 3e3;
             m_observed.tension_weights(edge) = 1.0 / (60.0 * 60.0);
+            m_observed.tension_bias.row(edge) << 0.0, 0.0, 150.0;
         }
         m_fit = linearised_fit(StaticsModel(m_net, m_uncertain), m_iterate, m_observed);
     }
@@ -139,6 +140,8 @@ protected:
         m_rates = finite_differences([this](const auto& at) { return imbalance(at); }, x, 1e-5);
         m_tension_rates =
             finite_differences([this](const auto& at) { return edge_tensions(at); }, x, 1e-5);
+        m_measured_rates = m_tension_rates;
+        m_measured_rates.rightCols<3>() += m_observed.tension_bias;
         Eigen::VectorXd weights(m_size);
         weights << m_observed.weights.reshaped(), m_observed.variance.cwiseInverse(),
             Eigen::VectorXd::Constant(m_loads, 1.0 / 400.0), Eigen::VectorXd::Ones(3);
@@ -147,11 +150,13 @@ protected:
         means.deviations = m_observed.mean;
         means.loads = m_observed.load_mean;
         means.common = m_observed.common_mean;
-        const Eigen::VectorXd misfit = m_observed.tension - edge_tensions(x);
+        const Eigen::VectorXd misfit =
+            m_observed.tension - edge_tensions(x) - m_observed.tension_bias * m_iterate.common;
         const auto constraints = m_rates.rows();
         m_matrix.setZero(m_size + constraints, m_size + constraints);
-        m_matrix.topLeftCorner(m_size, m_size) =
-            m_tension_rates.transpose() * m_observed.tension_weights.asDiagonal() * m_tension_rates;
+        m_matrix.topLeftCorner(m_size, m_size) = m_measured_rates.transpose() *
+                                                 m_observed.tension_weights.asDiagonal() *
+                                                 m_measured_rates;
         m_matrix.topLeftCorner(m_size, m_size).diagonal() += weights;
         Eigen::MatrixXd of_places = Eigen::MatrixXd(weights.asDiagonal());
         for (int node = 0; node < m_net.node_count(); ++node) {
@@ -168,7 +173,7 @@ protected:
         m_matrix.topRightCorner(m_size, constraints) = m_rates.transpose();
         m_right_side.resize(m_size + constraints);
         m_right_side << of_places * (together(means) - x) +
-                            m_tension_rates.transpose() *
+                            m_measured_rates.transpose() *
                                 m_observed.tension_weights.cwiseProduct(misfit),
             -imbalance(x);
         m_covariance = m_matrix.inverse().topLeftCorner(m_size, m_size);
@@ -176,6 +181,7 @@ protected:
 
     Eigen::MatrixXd m_rates;
     Eigen::MatrixXd m_tension_rates;
+    Eigen::MatrixXd m_measured_rates;
     Eigen::MatrixXd m_matrix;
     Eigen::VectorXd m_right_side;
     Eigen::MatrixXd m_covariance;
@@ -215,6 +221,60 @@ TEST_F(Dense, TheVariancesOfTensionsAndTheirMeanAreThoseOfTheWholeProblem) {
     expect_near(m_fit->linearisation.covariances_with(
                     Eigen::VectorXd::Constant(m_net.edge_count(), 1.0 / m_net.edge_count())),
                 of_tensions.rowwise().mean());
+}
+
+TEST_F(Dense, TheVariancesOfForceMeasurementsHoldWhatTheyShare) {
+    const Eigen::MatrixXd of_measured =
+        m_measured_rates * m_covariance * m_measured_rates.transpose();
+    expect_near(m_fit->covariance.measured, of_measured.diagonal());
+    const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(m_net.edge_count(), 0.5, 2.0);
+    EXPECT_NEAR(m_fit->linearisation.measured_variance(weights), weights.dot(of_measured * weights),
+                1e-5 * weights.dot(of_measured * weights));
+}
+
+TEST_F(Dense, TheDeterminantChangesAsThatOfTheWholeProblem) {
+    std::vector<int> free_places;
+    for (const int node : m_net.free_nodes()) {
+        free_places.insert(free_places.end(), {3 * node, 3 * node + 1, 3 * node + 2});
+    }
+    m_observed.mean_root = Eigen::MatrixXd::Constant(m_lengths, 2, 1e-3);
+    m_observed.mean_root.col(1) = Eigen::VectorXd::LinSpaced(m_lengths, -2e-3, 2e-3);
+    // The precision of all, and of the two numbers behind the means of the lengths.
+    const Eigen::MatrixXd root = m_observed.mean_root;
+    const Eigen::MatrixXd pulls = m_observed.variance.cwiseInverse().asDiagonal() * root;
+    const auto by_all = [&](const Eigen::VectorXd& x) {
+        const Eigen::MatrixXd rates =
+            finite_differences([this](const auto& at) { return imbalance(at); }, x, 1e-5);
+        Eigen::MatrixXd measured =
+            finite_differences([this](const auto& at) { return edge_tensions(at); }, x, 1e-5);
+        measured.rightCols<3>() += m_observed.tension_bias;
+        const auto weights = m_observed.tension_weights.asDiagonal();
+        const Eigen::Index count = m_size + 2 + rates.rows();
+        Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(count, count);
+        whole.topLeftCorner(m_size, m_size) =
+            m_matrix.topLeftCorner(m_size, m_size) -
+            m_measured_rates.transpose() * weights * m_measured_rates +
+            measured.transpose() * weights * measured;
+        whole.block(m_places, m_size, m_lengths, 2) = -pulls;
+        whole.block(m_size, m_places, 2, m_lengths) = -pulls.transpose();
+        whole.block<2, 2>(m_size, m_size) = Eigen::Matrix2d::Identity() + root.transpose() * pulls;
+        whole.bottomLeftCorner(rates.rows(), m_size) = rates;
+        whole.topRightCorner(m_size, rates.rows()) = rates.transpose();
+        const auto log_of = [](const Eigen::MatrixXd& matrix) {
+            return matrix.partialPivLu().matrixLU().diagonal().array().abs().log().sum();
+        };
+        return 0.5 * log_of(whole) - log_of(rates(Eigen::all, free_places));
+    };
+    Iterate other = m_iterate;
+    other.form += 1e-3 * Points::Random(3, m_net.node_count());
+    other.deviations.array() -= 1.5e-3;
+    const auto found = linearise(StaticsModel(m_net, m_uncertain), other, m_observed);
+    ASSERT_TRUE(found);
+    const double expected = by_all(together(other)) - by_all(together(m_iterate));
+    EXPECT_NEAR(found->half_log_determinant(m_observed) -
+                    m_fit->linearisation.half_log_determinant(m_observed),
+                expected, 1e-4 * std::abs(expected));
+    EXPECT_GT(std::abs(expected), 0.01);
 }
 
 TEST_F(Dense, TheSquaredNormHoldsAllThatIsObserved) {

@@ -542,6 +542,48 @@ TEST(Epochs, MaySeeOtherTargetsInOtherFrames) {
     EXPECT_GT(test::coverage(result, job.deviations), 0.9);
 }
 
+// The form alone does not show how stiff all cables are; how it gives way under a known load does.
+TEST(Epochs, AKnownLoadShowsTheStiffness) {
+    constexpr double softer = 0.9;
+    CableNetData data = net().data();
+    data.axial_stiffness *= softer;
+    const CableNet built{CableNetData(data)};
+    Points loads = Points::Zero(3, net().node_count());
+    for (const int node : net().free_nodes()) {
+        loads(2, node) = node % 3 == 0 ? -1500.0 : 0.0;
+    }
+    data.loads = loads;
+    Job job = job_of(4, {}, {}, {}, built);
+    job.epochs[1].survey.form =
+        test::simulate(CableNet(data), prior, noise, 4).truth.form +
+        (job.epochs[1].survey.form - test::simulate(built, prior, noise, 4).truth.form);
+    IdentifyOptions options = with_prior();
+    options.uncertain = {parse_uncertain_parameter("stiffness:10%")};
+    const Identification unloaded =
+        identify_epochs(net(), job_of(4, {}, {}, {}, built).epochs, options);
+    job.epochs[1].loads = loads;
+    const Identification loaded = identify_epochs(net(), job.epochs, options);
+    ASSERT_EQ(loaded.status, IdentificationStatus::converged) << loaded.message;
+    EXPECT_GT(unloaded.uncertain[0].std, 0.09);
+    EXPECT_LT(loaded.uncertain[0].std, 0.04);
+    EXPECT_NEAR(loaded.uncertain[0].mean, std::log(softer), 3.0 * loaded.uncertain[0].std);
+    EXPECT_EQ(loaded.trust.verdict(), Trust::Verdict::passed);
+    EXPECT_GT(loaded.epochs[1].load, 0.0);
+    // It is of the net without that load, at the first survey.
+    EXPECT_LT((loaded.predicted.form - job.epochs[0].survey.form).cwiseAbs().maxCoeff(), 5e-3);
+}
+
+TEST(Epochs, AKnownLoadThatIsNotGivenIsNamed) {
+    CableNetData data = net().data();
+    data.loads = Points::Zero(3, net().node_count());
+    data.loads(2, net().free_nodes()[24]) = -1500.0;
+    Job job = job_of(4, {}, {});
+    job.epochs[1].survey.form += test::simulate(CableNet(data), prior, noise, 4).truth.form -
+                                 test::simulate(net(), prior, noise, 4).truth.form;
+    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
+}
+
 TEST(Epochs, RefuseWhatIsNotForSeveralSurveys) {
     const std::vector<EdgeTurned> turned = some_turns(1);
     const Job job = job_of(1, turned, turned);
@@ -566,6 +608,14 @@ TEST(Epochs, RefuseWhatIsNotForSeveralSurveys) {
     wrong[1].turned.push_back({.edge = net().interior_edges()[0], .stroke = 1e-3});
     EXPECT_THAT(refused(wrong, with_prior()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("expected an adjustable one")));
+    wrong = job.epochs;
+    wrong[1].loads = Points::Constant(3, net().node_count(), 1.0);
+    EXPECT_THAT(refused(wrong, with_prior()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("none since without them")));
+    wrong[1].turned.clear();
+    wrong[1].loads = Points::Constant(3, 2, 1.0);
+    EXPECT_THAT(refused(wrong, with_prior()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("one finite force a node")));
     // Each less than a quarter of its length, and together more.
     wrong = job.epochs;
     wrong[1].turned = {

@@ -82,6 +82,10 @@ double truth_of(const ModelPerturbation& c, const CableNet& net,
             return c.loads;
         case UncertainParameter::Kind::loads_each:
             return c.own_loads(estimate.axis, estimate.node);
+        case UncertainParameter::Kind::forces:
+        case UncertainParameter::Kind::mass:
+        case UncertainParameter::Kind::test_loads:
+            break;  // not drawn here
     }
     return 0.0;
 }
@@ -228,6 +232,29 @@ protected:
     const CableNet m_net = hypar(6, 6);
     const Built m_truth = built(m_net, {}, 6);
 };
+
+// Ten cells of one calibration that is 8 % off: each is exact to 0.5 % besides.
+TEST_F(ForceMeasurements, ThatShareAnErrorDoNotMakeTensionsSurerThanIt) {
+    Forces forces;
+    for (int edge = 1; edge < m_net.edge_count(); edge += 6) {
+        forces.measurements.push_back(measured(edge, 0.005));
+        forces.measurements.back().tension *= 1.08;
+    }
+    IdentifyOptions options = options_with({parse_uncertain_parameter("stiffness:5%")}, 200);
+    options.forces = forces;
+    const auto is_inside = [&](const Identification& result) {
+        const double mean = m_truth.tensions.mean();
+        return result.drawn.mean_tension.lower <= mean && mean <= result.drawn.mean_tension.upper;
+    };
+    const Identification exact = identify(m_net, m_truth.simulated.survey, options);
+    options.uncertain.push_back(parse_uncertain_parameter("forces:5%"));
+    const Identification found = identify(m_net, m_truth.simulated.survey, options);
+    ASSERT_FALSE(found.drawn.tensions.empty());
+    EXPECT_TRUE(is_inside(found));
+    EXPECT_FALSE(!exact.drawn.tensions.empty() && is_inside(exact));
+    EXPECT_EQ(found.uncertain.back().parameter.name(), "forces");
+    EXPECT_GT(found.uncertain.back().mean, 0.0);
+}
 
 TEST_F(ForceMeasurements, AreUsedWithTheirStandardDeviation) {
     const Identification without = found({});

@@ -8,7 +8,7 @@ import { isNotes, type Notes } from "../src/notes";
 import type { Plan } from "../src/result";
 import { withoutExcel } from "./xlsx";
 
-export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "later" | "turned" | "target" | "none";
+export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "frequencies" | "sag" | "later" | "turned" | "target" | "none";
 
 /** What roles are called, and the option that gives such a file to a command. */
 export const roles: Record<Role, { label: string; command?: string; option?: string }> = {
@@ -19,6 +19,8 @@ export const roles: Record<Role, { label: string; command?: string; option?: str
   survey: { label: "survey" },
   control: { label: "control points", command: "identify", option: "--control" },
   forces: { label: "force measurements", command: "identify", option: "--forces" },
+  frequencies: { label: "frequencies of cables", command: "identify", option: "--frequencies" },
+  sag: { label: "points on sagging cables", command: "identify", option: "--sag" },
   later: { label: "later survey" },
   turned: { label: "turned before the next survey" },
   target: { label: "target form", command: "plan", option: "--target" },
@@ -137,6 +139,8 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   const head = text(bytes.subarray(0, 2000));
   if (/\bstroke(_mm)?\b/.test(head)) return "turned";
   if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
+  if (/^\s*edge\W+frequency\b/m.test(head)) return "frequencies";
+  if (/^\s*edge\W+x\W+y\W+z\b/m.test(head)) return "sag";
   if (/^\s*strain\W+stress\b/m.test(head)) return "law";
   if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
   if (/^(?!.*\bx\b).*\b(q|q0|qopt|l0|EA)\b/m.test(head.split("\n", 1)[0]!)) return "edges";

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "taut/abi.hpp"
+#include "taut/survey/forces.hpp"
 
 namespace taut {
 
@@ -20,10 +21,12 @@ struct Outlier {
 
 /// A force measurement that contradicts all else.
 struct ForceOutlier {
-    int edge = 0;            ///< whose force was measured
-    double measured = 0.0;   ///< [N]
-    double expected = 0.0;   ///< by all else [N]
-    double statistic = 0.0;  ///< squared difference in its variances
+    int edge = 0;                                 ///< whose force was measured
+    double measured = 0.0;                        ///< [N]
+    double expected = 0.0;                        ///< by all else [N]
+    double statistic = 0.0;                       ///< squared difference in its variances
+    ForceSource source = ForceSource::load_cell;  ///< as ForceMeasurement::source
+    int mode = 0;                                 ///< as ForceMeasurement::mode
 };
 
 /// An edge whose length by the survey is an outlier of the prior: mis-cut, most likely.

@@ -17,7 +17,16 @@ namespace taut {
 struct Epoch {
     Survey survey;                   ///< not an exact one; of the net as it stood then
     std::vector<EdgeTurned> turned;  ///< since the survey before; of the first: none
+    /// Known loads that hung on the net at this survey alone, besides its own (3 x n); 3 x 0: none.
+    /// How far the form gives way shows the stiffness [N].
+    Points loads = Points(3, 0);
+
+    [[nodiscard]] bool is_loaded() const { return !loads.isZero(0.0); }
 };
+
+/// Of which survey the result is: the last without loads of its own.
+/// @throws std::invalid_argument where there is none, and where anything was turned after it
+[[nodiscard]] TAUT_CORE_EXPORT size_t reported_epoch(std::span<const Epoch> epochs);
 
 /// An error of one survey of several.
 class TAUT_CORE_EXPORT EpochError : public SurveyError {
@@ -42,13 +51,14 @@ inline constexpr int most_edges_of_epochs = 3000;
 ///
 /// @param net as designed, before anything was turned
 /// @param epochs at least two, in the order of the surveys, with their noise
-/// @param options forces and draws are of the last survey; no model
+/// @param options forces and draws are of the survey reported; no model
 /// @param progress gets the stages "comparing surveys" and "identification"
-/// @return result for the net at the last survey, turned_net(net, result.turned); `epochs` has
+/// @return result for the net at reported_epoch(), turned_net(net, result.turned); `epochs` has
 ///   each survey
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
-///   interior edges than most_edges_of_epochs, a method that is not map, and covariance_of
-/// @throws std::runtime_error where the net as turned finds no equilibrium
+///   interior edges than most_edges_of_epochs, a method that is not map, covariance_of, loads of
+///   the first survey or that are not finite, and as reported_epoch()
+/// @throws std::runtime_error where the net as turned and loaded finds no equilibrium
 /// @throws EpochError where identify() throws SurveyError; for an exact survey, and one given
 ///   twice
 /// @throws Interrupted where a stop was requested

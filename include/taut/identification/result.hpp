@@ -86,8 +86,10 @@ struct LengthChange {
 
 /// One survey of several, by all together.
 struct EpochResult {
-    int surveyed = 0;                                ///< free nodes
-    std::vector<EdgeTurned> turned;                  ///< since the survey before
+    int surveyed = 0;                ///< free nodes
+    std::vector<EdgeTurned> turned;  ///< since the survey before
+    /// Loads that hung on the net at this survey alone, sum of their magnitudes [N].
+    double load = 0.0;
     std::vector<Outlier> outliers;                   ///< targets left out, the worst first
     std::vector<BoundaryOutlier> boundary_outliers;  ///< different from the design; the worst first
     std::optional<FrameOffset> frame_offset;         ///< where its frame was unknown

@@ -27,7 +27,8 @@ struct NetFile {
 ///      "tension_laws": [{"name": text, "strain": [0, ...], "tension": [0, ...] [N]}...],
 ///      "tension_law": [index or null, one an edge], "groups": {name: [edge...]},
 ///      "mass": [kg/m...] or one number, "expansion": [1/K...] or one number,
-///      "breaking_load": [N...] or one number, "thread": ["right" or "left", one an entry of
+///      "breaking_load": [N...] or one number,
+///      "bending_stiffness": [N m2...] or one number, "thread": ["right" or "left", one an entry of
 ///      "adjustable"]}
 ///
 /// Optional are name (default: the file's, without its ending), adjustable (default: the edges at a

@@ -73,10 +73,11 @@ struct CableNetData {
     std::vector<int> tension_law;          ///< m indices of tension_laws, -1: linear by EA; or none
     std::map<std::string, std::vector<int>> groups;  ///< named lists of edges
     Eigen::VectorXd mass;                            ///< m, per length; or none [kg/m]
-    Eigen::VectorXd expansion;      ///< m, thermal expansion coefficient; or none [1/K]
-    Eigen::VectorXd breaking_load;  ///< m, > 0; or none [N]
-    std::vector<Thread> thread;     ///< one for each entry of `adjustable`; or none
-    std::vector<CableRun> runs;     ///< or none: cable_runs() finds them
+    Eigen::VectorXd expansion;          ///< m, thermal expansion coefficient; or none [1/K]
+    Eigen::VectorXd breaking_load;      ///< m, > 0; or none [N]
+    Eigen::VectorXd bending_stiffness;  ///< m, EI, for frequencies only; or none [N m2]
+    std::vector<Thread> thread;         ///< one for each entry of `adjustable`; or none
+    std::vector<CableRun> runs;         ///< or none: cable_runs() finds them
 };
 
 /// The edges with a support at one end at least: CableNetData::adjustable of most nets.
@@ -98,9 +99,10 @@ public:
     ///   length that is not positive and finite, an edge of zero length, a coordinate or load that
     ///   is not finite, no free node, names that are empty or doubled; a tension law that does not
     ///   start at (0, 0), falls, is flat at its start or end, or whose strains do not ascend; a
-    ///   group without name or edges; a mass that is negative, an expansion that is not finite, a
-    ///   breaking load that is not positive and finite, a number of threads other than that of the
-    ///   adjustable edges, a run without edges or with one that another run has.
+    ///   group without name or edges; a mass or bending stiffness that is negative, an expansion
+    ///   that is not finite, a breaking load that is not positive and finite, a number of threads
+    ///   other than that of the adjustable edges, a run without edges or with one that another run
+    ///   has.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;

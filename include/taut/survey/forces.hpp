@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "taut/export/core.hpp"
@@ -9,11 +10,30 @@
 
 namespace taut {
 
-/// The tension of an edge, measured by a load cell or a tension meter.
+/// What a tension was measured by.
+enum class ForceSource {
+    load_cell,  ///< or a tension meter
+    frequency,  ///< a natural frequency of the cable
+    sag,        ///< of the cable under its own weight
+};
+
+/// "load_cell", "frequency", "sag".
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(ForceSource source);
+
+/// The tension of an edge, measured by a load cell or a tension meter, or found from a natural
+/// frequency or a sag.
 struct ForceMeasurement {
-    int edge = 0;          ///< index in the net
-    double tension = 0.0;  ///< [N]
-    double std = 0.0;      ///< standard deviation of the measurement [N]
+    int edge = 0;                                 ///< index in the net
+    double tension = 0.0;                         ///< [N]
+    double std = 0.0;                             ///< standard deviation of its own error [N]
+    ForceSource source = ForceSource::load_cell;  ///< what it was measured by
+    int mode = 0;                                 ///< of the frequency; 0 where there is none
+    /// Standard deviation of its part in an error that all measurements of its kind share, besides
+    /// the relative one of the uncertain parameters "forces" (load cells) and "mass" [N].
+    double shared_std = 0.0;
+
+    /// Whether it is as wrong as the mass of the cable.
+    [[nodiscard]] bool is_by_mass() const { return source != ForceSource::load_cell; }
 };
 
 /// What is known of the forces of a built net besides its form.

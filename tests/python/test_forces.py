@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against evidence of force that Python misreads: frequencies, sags, loads hung on the net."""
+
+import json
+
+import numpy as np
+import pytest
+import taut
+
+
+@pytest.fixture(scope="module")
+def heavy(net):
+    return taut.CableNet(
+        net.nodes, net.supports, net.edges, net.axial_stiffness, net.unstressed_lengths, mass=1e-3
+    )
+
+
+def frequency_of(net, form, tension, edge, mode=1):
+    start, end = net.edges[edge]
+    return mode * np.sqrt(tension[edge] / 1e-3) / (2 * np.linalg.norm(form[start] - form[end]))
+
+
+def test_a_frequency_is_a_force_measurement(heavy, survey, form, found):
+    edges = [int(edge) for edge in heavy.interior_edges[:12:3]]
+    given = [(edge, frequency_of(heavy, form, found.tension, edge), 1, 0.5) for edge in edges]
+    more = {"prior": "uniform:3mm", "draws": 0, "free_length_std": 1e-3}
+    sound = taut.identify(heavy, survey, frequencies=given, **more)
+    assert (sound.force_measurements, sound.force_outliers) == (4, [])
+    assert "mass:3%" in {one["parameter"] for one in sound.uncertain}
+    edge, frequency, _, std = given[0]
+    given[0] = (edge, 2 * frequency, 1, std)  # that of mode 2
+    wrong = taut.identify(heavy, survey, frequencies=given, **more)
+    [outlier] = wrong.force_outliers
+    assert (outlier["edge"], outlier["source"], outlier["mode"]) == (edge, "frequency", 1)
+    [finding] = [one for one in wrong.findings if one["kind"] == "force_measurement"]
+    assert "mode 2, not 1" in finding["next"]
+
+
+def test_frequencies_need_a_mass(net, survey):
+    with pytest.raises(ValueError, match="needs its mass"):
+        taut.identify(net, survey, frequencies=[(0, 10.0, 1, 0.1)])
+
+
+def test_points_of_a_sag_are_a_force_measurement(heavy, survey, form):
+    edge = int(heavy.interior_edges[0])
+    start, end = form[heavy.edges[edge]]
+    x = np.array([0.2, 0.5, 0.8])[:, None]
+    span = np.linalg.norm(end - start)
+    points = start + x * (end - start) - 0.02 * span * 4 * x * (1 - x) * [0, 0, 1]
+    found = taut.identify(
+        heavy, survey, sag=[(edge, points, 1e-4 * span)], prior="uniform:3mm", draws=0
+    )
+    assert found.force_measurements == 1  # of a tension that contradicts all else
+    assert found.force_outliers[0]["source"] == "sag"
+    with pytest.raises(ValueError, match="three or more"):
+        taut.identify(heavy, survey, sag=[(edge, points[:2], 1e-3)])
+
+
+def test_a_load_that_hung_on_the_net_at_one_survey(net, survey, form, built, tmp_path):
+    loads = np.zeros((len(net.nodes), 3))
+    loads[net.free_nodes[::4], 2] = -200.0
+    loaded = taut.CableNet(
+        built.nodes, net.supports, net.edges, net.axial_stiffness, built.unstressed_lengths, loads=loads
+    )
+    under = taut.solve_equilibrium(loaded).form
+    second = taut.read_survey(net, taut.simulate_survey(net, under, noise=0.5e-3, seed=9))
+    given = {"prior": "uniform:3mm", "draws": 0}
+    both = taut.identify(net, survey, epochs=[(second, [], loads)], **given)
+    assert both.trust == "passed", both.findings
+    assert both.epochs[1]["load"] == pytest.approx(200.0 * len(net.free_nodes[::4]))
+    assert np.abs(both.form - form).max() < 3e-3
+    unknown = taut.identify(net, survey, epochs=[(second, [])], **given)
+    assert unknown.trust != "passed"
+    both.save(tmp_path / "both.json")
+    assert json.loads((tmp_path / "both.json").read_text())["epochs"][1]["load"] > 0.0
+    with pytest.raises(ValueError, match="none since"):
+        taut.identify(net, survey, epochs=[(second, [(int(net.adjustable_edges[0]), 1e-3, 0.0)], loads)])
