@@ -37,12 +37,14 @@ struct PlanCommand : CommonOptions {
     double target_unit = 1.0;  ///< [m]
     DeviationWeights weights;
     std::string node_weights;
+    std::vector<std::string> target_tensions;  ///< forces, or files
     FormObjective objective = FormObjective::rms;
     std::string adjustable;
     std::vector<std::string> checks;
 
     [[nodiscard]] std::vector<std::string> inputs() const {
         std::vector<std::string> all = checks;
+        all.insert(all.end(), target_tensions.begin(), target_tensions.end());
         all.insert(all.end(), {net, result, draws_path(result).string(), target, node_weights,
                                adjustable, stroke});
         return all;
@@ -78,6 +80,16 @@ PlanRequest request_of(const CableNet& net, const PlanCommand& command) {
     } else {
         request.stroke = parse_length(command.stroke);
     }
+    for (const std::string& text : command.target_tensions) {
+        if (std::filesystem::is_regular_file(text)) {
+            const std::vector<GivenTension> of_file =
+                parse_target_tensions(net, read_table(text), text);
+            request.target_tension.insert(request.target_tension.end(), of_file.begin(),
+                                          of_file.end());
+        } else {
+            request.target_tension.push_back(parse_target_tension(text));
+        }
+    }
     for (const std::string& file : command.checks) {
         request.load_cases.push_back(
             {.name = file, .loads = parse_loads(net, read_table(file), file)});
@@ -102,9 +114,91 @@ void print_deviations(const PlanRecord& record) {
             1e3 * plan.normal_std);
     }
     if (!plan.strokes.empty() && plan.draws > 0 && !record.turns->options.tolerance &&
-        plan.gain() < plan.normal_std) {
+        plan.target_tensions.empty() && plan.gain() < plan.normal_std) {
         say("  The turns gain less than that. Turn fewer edges, or none: --tolerance.\n");
     }
+}
+
+/// "edges 3, 17, 21 and 4 more".
+std::string edges_text(const CableNet& net, const std::vector<int>& edges) {
+    constexpr size_t shown = 5;
+    std::string text = edges.size() == 1 ? "edge " : "edges ";
+    for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
+        text += (i > 0 ? ", " : "") + net.edge_id(edges[i]);
+    }
+    return edges.size() > shown ? text + fmt::format(" and {} more", edges.size() - shown) : text;
+}
+
+/// Why target tensions are missed, and where they are not known well enough.
+void print_obstacles(const PlanRecord& record, const std::vector<ReachedTension>& targets) {
+    const auto say_of = [&](const auto& is_meant, std::string_view what) {
+        std::vector<int> edges;
+        for (const ReachedTension& one : targets) {
+            if (is_meant(one)) {
+                edges.push_back(one.edge);
+            }
+        }
+        if (!edges.empty()) {
+            say("  {} {}: {}\n", edges_text(*record.net, edges),
+                edges.size() == 1 ? "is missed" : "are missed", what);
+        }
+    };
+    const auto has = [](TensionObstacle obstacle) {
+        return [obstacle](const ReachedTension& one) { return one.obstacle == obstacle; };
+    };
+    say_of(has(TensionObstacle::turnbuckles),
+           "no strokes of these turnbuckles were found that reach all targets, not even unlimited "
+           "ones with any form (--suggest-adjustable)");
+    say_of(has(TensionObstacle::form),
+           "the target form is in the way; a wider --form-tolerance gives the tensions more "
+           "weight");
+    say_of(has(TensionObstacle::limits),
+           "limits of strokes or forces, whole steps or --tolerance are in the way");
+}
+
+/// The target tensions, the worst first.
+void print_tensions(const PlanRecord& record) {
+    constexpr size_t shown = 10;
+    std::vector<ReachedTension> targets = record.turns->plan.target_tensions;
+    if (targets.empty()) {
+        return;
+    }
+    const bool has_draws = record.turns->plan.draws > 0;
+    std::ranges::stable_sort(targets, std::ranges::greater(),
+                             [](const ReachedTension& one) { return std::abs(one.deviation()); });
+    say("{:<24}{:>16}{:>10}{:>9}{:>15}{:>22}\n", "tension [kN]", "target", "as built", "planned",
+        "unconstrained", has_draws ? "mean and std   within" : "");
+    for (size_t i = 0; i < std::min(shown, targets.size()); ++i) {
+        const ReachedTension& one = targets[i];
+        say("{:<24}{:>8.2f} +- {:<4.2f}{:>10.2f}{:>9.2f}{:>15.2f}{}\n",
+            "edge " + record.net->edge_id(one.edge), 1e-3 * one.target, 1e-3 * one.tolerance,
+            1e-3 * one.as_built, 1e-3 * one.planned, 1e-3 * one.unconstrained,
+            has_draws ? fmt::format("{:>8.2f} +- {:<4.2f}{:>5.0f} %", 1e-3 * *one.mean,
+                                    1e-3 * *one.std, 100.0 * *one.probability)
+                      : "");
+    }
+    if (targets.size() > shown) {
+        say("  and {} more, nearer to their targets\n", targets.size() - shown);
+    }
+    const auto within =
+        std::ranges::count(targets, TensionObstacle::none, &ReachedTension::obstacle);
+    say("{} of {} target tensions are within their tolerance{}\n", within, targets.size(),
+        has_draws ? ", in the mean of the samples" : ", by the estimate");
+    print_obstacles(record, targets);
+    const auto unknown = std::ranges::count_if(
+        targets, [](const ReachedTension& one) { return one.std && *one.std >= one.tolerance; });
+    if (unknown > 0) {
+        say("  The survey shows {} of them no better than their tolerance. Measure forces: "
+            "identify --forces.\n",
+            unknown);
+    }
+    const auto nodes = record.net->free_nodes();
+    const bool is_form_weighed = record.target->normal_weights()(nodes).maxCoeff() > 0.0 ||
+                                 record.target->tangential_weights()(nodes).maxCoeff() > 0.0;
+    say("  weighed: {}\n", is_form_weighed
+                               ? format_length(record.turns->options.weighing_tolerance()) +
+                                     " of form counts as much as one tolerance of tension"
+                               : "the form does not count, all its weights are 0");
 }
 
 /// Targets that would improve the plan if they were surveyed before anything is turned.
@@ -233,8 +327,11 @@ void print_suggested_edges(const PlanRecord& record) {
                     ? "no further adjustable edge would help"
                     : "suggested further adjustable edges, each with those above it:");
     for (const SuggestedEdge& one : *suggested) {
-        say("  edge {}: by {:.2f} mm, which leaves a normal RMS of {:.3f} mm\n",
-            record.net->edge_id(one.edge), 1e3 * one.stroke, 1e3 * one.normal_rmse_after);
+        say("  edge {}: by {:.2f} mm, which leaves a normal RMS of {:.3f} mm{}\n",
+            record.net->edge_id(one.edge), 1e3 * one.stroke, 1e3 * one.normal_rmse_after,
+            one.tension_rmse_after
+                ? fmt::format(" and tensions {:.2f} tolerances off", *one.tension_rmse_after)
+                : "");
     }
 }
 
@@ -248,6 +345,7 @@ void print(const PlanCommand& command, const PlanRecord& record) {
             record.trust->findings.front().reason);
     }
     print_deviations(record);
+    print_tensions(record);
     print_suggested_targets(record);
     print_strokes(record);
     print_limits(record);
@@ -336,6 +434,16 @@ void add_target_options(CLI::App& command, PlanCommand& options) {
         .add_option("--node-weights", options.node_weights,
                     "Other weights of single nodes, a file id,normal,tangential")
         ->group(heading::input);
+    command
+        .add_option("--target-tension", options.target_tensions,
+                    "Target tension of all edges or a group, 12kN[:TOLERANCE][@GROUP], TOLERANCE "
+                    "5% or 300N (default: 5%); or a file edge,tension[,tolerance] in N. May be "
+                    "repeated")
+        ->group(heading::input);
+    add_parsed(command, "--form-tolerance", options.request.options.form_tolerance, parse_length,
+               "Form deviation that counts as much as target tensions off by their tolerances "
+               "(default: --tolerance, else 5mm)")
+        ->group(heading::input);
     add_parsed(
         command, "--objective", options.objective,
         [](const std::string& name) {
@@ -350,7 +458,7 @@ void add_limit_options(CLI::App& command, PlanCommand& options) {
     PlanRequest& request = options.request;
     add_parsed(command, "--tolerance", request.options.tolerance, parse_length,
                "Turn the fewest edges with which the RMS along the normal (the max, with "
-               "--objective largest) is at most this")
+               "--objective largest) is at most this, and target tensions are within theirs")
         ->group(heading::limits);
     add_parsed(command, "--confidence", request.options.confidence, parse_part,
                "Probability with which all limits hold, over the posterior samples of RESULT",

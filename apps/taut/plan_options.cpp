@@ -76,6 +76,17 @@ ReactionBound parse_reaction_bound(const std::string& text) {
     return {.upper = parse_force(force), .group = std::move(group)};
 }
 
+GivenTension parse_target_tension(const std::string& text) {
+    std::string forces = text;
+    GivenTension given{.group = take_group(forces)};
+    const size_t colon = std::min(forces.find(':'), forces.size());
+    given.tension = parse_force(forces.substr(0, colon));
+    if (colon < forces.size()) {
+        given.tolerance = parse_tension_bound(forces.substr(colon + 1)).value_or(given.tolerance);
+    }
+    return given;
+}
+
 DeviationWeights parse_weights(const std::string& text) {
     DeviationWeights weights;
     std::string_view rest = text;

@@ -9,6 +9,7 @@
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/tension_target.hpp"
 
 /// Options of the commands that plan turns. What their values must keep to, the library checks.
 namespace taut::app {
@@ -23,6 +24,10 @@ inline constexpr const char* actuator_help =
 /// "20kN[@GROUP]".
 /// @throws std::invalid_argument
 [[nodiscard]] ReactionBound parse_reaction_bound(const std::string& text);
+
+/// "12kN[:5%|:300N][@GROUP]".
+/// @throws std::invalid_argument
+[[nodiscard]] GivenTension parse_target_tension(const std::string& text);
 
 /// "normal:1,tangential:0.1"; what is not named has its default.
 /// @throws std::invalid_argument

@@ -8,6 +8,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -63,6 +64,16 @@ class StrokeLike : public nb::object {
 class ForceLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
     NB_OBJECT(ForceLike, nb::object, "float | dict[str | None, float]", is_any)
+};
+
+/// A tension, or tension and tolerance, of all edges, or by group or edge; or a tension of each
+/// edge.
+class TensionLike : public nb::object {
+    static bool is_any(nb::handle) { return true; }
+    NB_OBJECT(TensionLike, nb::object,
+              "float | tuple[float, float] | numpy.typing.NDArray | dict[str | int | None, float | "
+              "tuple[float, float]]",
+              is_any)
 };
 
 /// Arrays by their names.
@@ -162,6 +173,46 @@ void add_strokes(PlanRequest& request, const std::optional<StrokeLike>& given) {
     }
 }
 
+/// A tension, or tension and tolerance [N].
+GivenTension tension_argument(nb::handle value) {
+    const char* const name = "target_tension";
+    if (!nb::isinstance<nb::tuple>(value)) {
+        return {.tension = of_type<double>(value, name, "tensions, or (tension, tolerance)")};
+    }
+    const auto [tension, tolerance] =
+        of_type<std::pair<double, double>>(value, name, "(tension, tolerance)");
+    return {.tension = tension, .tolerance = {.value = tolerance}};
+}
+
+void add_target_tensions(PlanRequest& request, const CableNet& net, nb::handle given) {
+    const char* const name = "target_tension";
+    if (nb::isinstance<nb::dict>(given)) {
+        for (const auto& [key, value] : nb::borrow<nb::dict>(given)) {
+            GivenTension one = tension_argument(value);
+            if (nb::isinstance<nb::str>(key)) {
+                one.group = nb::cast<std::string>(key);
+            } else if (!key.is_none()) {
+                one.edge = of_type<int>(key, name, "groups, indices of edges, or None for all");
+            }
+            request.target_tension.push_back(std::move(one));
+        }
+    } else if (nb::hasattr(given, "__len__") && !nb::isinstance<nb::tuple>(given)) {
+        const Eigen::VectorXd tensions = vector_or_number(given, name, net.edge_count());
+        for (int edge = 0; edge < net.edge_count(); ++edge) {
+            if (!std::isnan(tensions(edge))) {
+                GivenTension& one = request.target_tension.emplace_back();
+                one.tension = tensions(edge);
+                one.edge = edge;
+            }
+        }
+    } else {
+        request.target_tension.push_back(tension_argument(given));
+    }
+    if (request.target_tension.empty()) {
+        throw nb::value_error("target_tension: got none, expected those of one edge or more");
+    }
+}
+
 /// A surface given as (vertices, triangles).
 GivenTarget surface_argument(nb::handle vertices, nb::handle triangles, double unit) {
     const nb::object corners = nb::module_::import_("numpy").attr("asarray")(triangles);
@@ -238,26 +289,26 @@ PlannedTurns plan_on(const CableNet& net, const BuiltNet& built, const FormTarge
     }
 }
 
-Planned planned(const Identified& identified, const std::optional<TargetLike>& target,
-                const std::optional<StrokeLike>& stroke, const std::optional<RangeLike>& tension,
-                const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
-                const std::optional<double>& step, const std::optional<double>& tolerance,
-                double confidence, double actuator_std, int crews,
-                const std::optional<std::string>& thread, int suggest_adjustable,
-                const std::optional<double>& suggest_targets, bool accept_failed,
-                const std::optional<double>& total_stroke,
-                const std::optional<RangeLike>& tension_part,
-                const std::optional<ForceLike>& reaction,
-                const std::optional<ArraysByName>& load_cases, const std::string& target_unit,
-                const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
-                const std::string& objective, std::uint64_t seed, const nb::object& progress) {
+Planned planned(
+    const Identified& identified, const std::optional<TargetLike>& target,
+    const std::optional<StrokeLike>& stroke, const std::optional<RangeLike>& tension,
+    const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
+    const std::optional<double>& step, const std::optional<double>& tolerance, double confidence,
+    double actuator_std, int crews, const std::optional<std::string>& thread,
+    int suggest_adjustable, const std::optional<double>& suggest_targets, bool accept_failed,
+    const std::optional<double>& total_stroke, const std::optional<RangeLike>& tension_part,
+    const std::optional<ForceLike>& reaction, const std::optional<ArraysByName>& load_cases,
+    const std::string& target_unit, const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
+    const std::string& objective, const std::optional<TensionLike>& target_tension,
+    const std::optional<double>& form_tolerance, std::uint64_t seed, const nb::object& progress) {
     const CableNet& net = identified.net;
     PlanRequest request{.options = {.confidence = confidence,
                                     .actuator_std = actuator_std,
                                     .tolerance = tolerance,
                                     .survey_noise = suggest_targets,
                                     .seed = seed,
-                                    .accept_failed = accept_failed},
+                                    .accept_failed = accept_failed,
+                                    .form_tolerance = form_tolerance},
                         .total_stroke = total_stroke,
                         .crews = crews,
                         .suggest_adjustable = suggest_adjustable};
@@ -276,6 +327,9 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
         request.thread = thread_named(*thread);
     }
     add_strokes(request, stroke);
+    if (target_tension) {
+        add_target_tensions(request, net, *target_tension);
+    }
     add_tension(request, tension, "tension", false);
     add_tension(request, tension_part, "tension_part", true);
     if (reaction) {
@@ -323,6 +377,12 @@ void bind_plan(nb::module_& module) {
           "normal_mean, normal_max and normal_rmse along the normal of the target."},
          {"planned", "The same after all strokes [m]."},
          {"unconstrained", "The same after strokes without limits, no edge slack [m]."},
+         {"target_tensions",
+          "Of each target tension, ascending by edge: edge, target, tolerance, as_built, planned, "
+          "unconstrained, of_any_form (unlimited strokes without regard to the form) [N] of the "
+          "estimate; mean and std [N] over the samples and probability that it is within the "
+          "tolerance, None without samples; obstacle, what keeps it out of the tolerance: 'none', "
+          "'limits', 'form' or 'turnbuckles' (these cannot reach it)."},
          {"normal_std",
           "Standard deviation of the planned form along the normal, root mean square over the "
           "nodes; 0 without posterior samples [m]."},
@@ -392,7 +452,8 @@ void bind_plan(nb::module_& module) {
             "suggested_adjustable",
             [](const Planned& self) { return in_python_types(self.turns.suggested_adjustable); },
             "Edges that would help most if they were made adjustable, each with those before it: "
-            "edge, stroke and normal_rmse_after [m]; None without suggest_adjustable.")
+            "edge, stroke and normal_rmse_after [m], tension_rmse_after of the target tensions "
+            "[tolerances]; None without suggest_adjustable.")
         .def_prop_ro(
             "is_safe", [](const Planned& self) { return self.turns.order.is_safe; },
             "Whether no step of the work breaks a limit that was kept before, with the confidence "
@@ -467,7 +528,8 @@ void bind_adjustment(nb::module_& module) {
                nb::arg("total_stroke") = nb::none(), nb::arg("tension_part") = nb::none(),
                nb::arg("reaction") = nb::none(), nb::arg("load_cases") = nb::none(),
                nb::arg("target_unit") = "m", nb::arg("weights") = nb::none(),
-               nb::arg("objective") = "rms", nb::arg("seed") = PlanOptions().seed,
+               nb::arg("objective") = "rms", nb::arg("target_tension") = nb::none(),
+               nb::arg("form_tolerance") = nb::none(), nb::arg("seed") = PlanOptions().seed,
                nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
@@ -483,7 +545,8 @@ Args:
     edges: that may be turned, by default the adjustable ones.
     turn: change of length by one turn [m].
     step: smallest part of a turn that a crew can do, 0.25 say.
-    tolerance: turn the fewest edges that bring the normal deviation below this [m].
+    tolerance: turn the fewest edges that bring the normal deviation below this [m], and target
+        tensions within their tolerances.
     confidence: required probability that all limits are kept.
     actuator_std: standard deviation of a stroke from the one planned [m].
     crews: number that work at the same time.
@@ -503,6 +566,11 @@ Args:
     weights: of the squared deviations along the target's normal and across it, one number of all
         nodes or (n,) each, by default (1, 0.1).
     objective: what is minimised, 'rms' of the deviations or the 'largest'.
+    target_tension: of every edge, or (tension, tolerance), by default with a tolerance of 5 % [N].
+        Or a dict of these by group of edges or index of an edge; single edges override groups, and
+        these the key None, which is for every edge. Or (m,), NaN for edges without target.
+    form_tolerance: form deviation that counts as much as target tensions off by their tolerances,
+        by default tolerance, else 0.005 [m].
     seed: of the random errors of the strokes.
     progress: called with stage, done, total.)");
 }

@@ -130,17 +130,21 @@ TAUT_FIELDS(NodeWeights, node, normal, tangential)
 TAUT_FIELDS(GivenTarget, points, triangles, weights, node_weights, objective)
 TAUT_FIELDS(Limits, shortest_stroke, longest_stroke, tension, reactions, load_cases)
 TAUT_FIELDS(TurnSize, pitch, smallest)
+TAUT_FIELDS(TensionTarget, edge, tension, tolerance)
+TAUT_FIELDS(ReachedTension, edge, target, tolerance, as_built, planned, unconstrained, of_any_form,
+            mean, std, probability, obstacle)
 TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, survey_noise, seed,
-            accept_failed)
+            accept_failed, target_tensions, form_tolerance)
 TAUT_FIELDS(PlannedStroke, edge, stroke)
 TAUT_FIELDS(LimitBreach, kind, index, load_case, value, limit, probability)
 TAUT_FIELDS(SuggestedTarget, node, normal_std)
-TAUT_FIELDS(SuggestedEdge, edge, stroke, normal_rmse_after)
+TAUT_FIELDS(SuggestedEdge, edge, stroke, normal_rmse_after, tension_rmse_after)
 TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
-TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, suggested_targets, form,
-            form_std, form_covariance, tensions, tension_lower, tension_upper, effective_limits,
-            draws, draws_needed, no_draws_because, limit_probability, is_feasible, has_converged,
-            breaches, normal_rmse_of_free_strokes, is_within_tolerance, fewest_bound, iterations)
+TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, target_tensions, normal_std,
+            suggested_targets, form, form_std, form_covariance, tensions, tension_lower,
+            tension_upper, effective_limits, draws, draws_needed, no_draws_because,
+            limit_probability, is_feasible, has_converged, breaches, normal_rmse_of_free_strokes,
+            is_within_tolerance, fewest_bound, iterations)
 TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
 TAUT_FIELDS(WorstStep, step, breach)
 TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)

@@ -31,11 +31,11 @@ StrokedState search_over(std::vector<LimitedResponse>& responses, const StrokeTa
 }  // namespace
 
 FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const StrokeTask& task,
-                             const StrokedState& all, double tolerance) {
+                             const StrokedState& all) {
     const Eigen::Index k = all.strokes.size();
-    const double bound = tolerance * tolerance;
     const auto keeps = [&](const StrokedState& state) {
-        return state.cost <= bound && state.violation <= std::max(all.violation, 1e-9);
+        return state.balanced() && state.violation <= std::max(all.violation, 1e-9) &&
+               is_within_tolerances(task, responses.front().response.net(), state.nets.front());
     };
     FewestStrokes result{.found = all};
 
@@ -44,7 +44,7 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
     StrokedState state = all;
     for (int round = 0; round < reweightings; ++round) {
         const auto strokes =
-            StrokeProgram(responses, task, state).least_turning(weights, bound, step_reach);
+            StrokeProgram(responses, task, state).least_turning(weights, step_reach);
         if (!strokes) {
             break;
         }

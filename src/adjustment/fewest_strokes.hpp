@@ -11,14 +11,11 @@ struct FewestStrokes {
     int bound = 0;  ///< to first order, no fewer edges reach the tolerance
 };
 
-/// Few strokes with which the cost is at most the square of a tolerance. A reweighted l1 norm
+/// Few strokes with which the state is_within_tolerances(). A reweighted l1 norm
 /// (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal. Appl. 14, 2008) chooses the edges; then
 /// each that is not needed is dropped, in exact equilibrium. docs/theory.md (fewest-strokes).
-/// @param task the tolerance applies to the cost of its target
-/// @param all a state within the tolerance
-/// @param tolerance [m]
+/// @param all a state within the tolerances
 [[nodiscard]] FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses,
-                                           const StrokeTask& task, const StrokedState& all,
-                                           double tolerance);
+                                           const StrokeTask& task, const StrokedState& all);
 
 }  // namespace taut

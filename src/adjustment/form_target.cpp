@@ -132,18 +132,13 @@ void FormTarget::move_to(Points places) {
 }
 
 void FormTarget::check_weights() const {
-    double sum = 0.0;
     for (const int node : m_free_nodes) {
         for (const double weight : {m_normal_weight(node), m_tangential_weight(node)}) {
             if (!std::isfinite(weight) || weight < 0.0) {
                 throw std::invalid_argument(
                     fmt::format("a weight is {}, expected 0 or more", weight));
             }
-            sum += weight;
         }
-    }
-    if (!(sum > 0.0)) {
-        throw std::invalid_argument("all weights are 0, expected at least one above 0");
     }
 }
 

@@ -18,8 +18,11 @@
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_program.hpp"
 #include "adjustment/survey_gain.hpp"
+#include "adjustment/target_deviations.hpp"
+#include "adjustment/tension_targets.hpp"
 #include "adjustment/whole_steps.hpp"
 #include "taut/identification/posterior_draws.hpp"
+#include "taut/net/units.hpp"
 #include "taut/survey/turned_net.hpp"
 
 namespace taut {
@@ -69,6 +72,11 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
         throw std::invalid_argument(
             fmt::format("the tolerance is {:g} m, expected more than 0", *options.tolerance));
     }
+    if (options.form_tolerance &&
+        !(*options.form_tolerance > 0.0 && std::isfinite(*options.form_tolerance))) {
+        throw RequestError("form_tolerance", fmt::format("is {}, expected more than 0",
+                                                         format_length(*options.form_tolerance)));
+    }
     if (options.survey_noise &&
         !(*options.survey_noise > 0.0 && std::isfinite(*options.survey_noise))) {
         throw std::invalid_argument(
@@ -110,6 +118,7 @@ public:
           m_edges(options.edges.empty() ? built.net.adjustable_edges() : options.edges) {
         check_options(built, options, m_edges);
         check_limits(built.net, m_edges, limits);
+        check_tension_targets(built.net, options.target_tensions, limits.tension);
         m_case_nets.reserve(limits.load_cases.size());
         for (const LoadCase& load_case : limits.load_cases) {
             m_case_nets.push_back(with_loads(built.net, load_case.loads));
@@ -121,7 +130,9 @@ public:
         m_given = limits_now();
         m_task = {.target = m_target,
                   .shortest = limits.shortest_stroke,
-                  .longest = limits.longest_stroke};
+                  .longest = limits.longest_stroke,
+                  .tensions = options.target_tensions,
+                  .form_tolerance = options.weighing_tolerance()};
         m_as_built = state_at(m_responses, m_task, Eigen::VectorXd::Zero(count()), nullptr);
         if (!m_as_built.balanced()) {
             throw std::invalid_argument("the built net finds no equilibrium");
@@ -135,6 +146,9 @@ public:
         StrokeSearch search = feasible_first(m_as_built);
         report_progress(1);
         if (draws() > 0) {
+            if (!m_task.tensions.empty()) {
+                aim_at_mean(search);
+            }
             search = with_margins(std::move(search));
         }
         report_progress(2);
@@ -206,6 +220,33 @@ private:
         return search;
     }
 
+    /// Moves the target tensions by how far the mean of the samples is from the estimate, so that
+    /// the mean comes to the targets as given. That difference depends little on the strokes, so
+    /// both are found in turn.
+    void aim_at_mean(StrokeSearch& search) {
+        constexpr int rounds = 4;
+        constexpr double close_enough = 0.02;  // tolerances
+        for (int round = 0; round < rounds; ++round) {
+            const Eigen::MatrixXd drawn_forces = drawn(search.found).forces.front();
+            double most = 0.0;
+            for (size_t i = 0; i < m_task.tensions.size(); ++i) {
+                const TensionTarget& given = m_options->target_tensions[i];
+                double& aim = m_task.tensions[i].tension;
+                const double before = aim;
+                aim = given.tension - drawn_forces.row(given.edge).mean() +
+                      search.found.nets.front().forces(given.edge);
+                most = std::max(most, std::abs(aim - before) / given.tolerance);
+            }
+            search.found.cost = cost_of(m_task, m_built->net, search.found.nets.front());
+            if (most < close_enough) {
+                return;
+            }
+            const int before = search.iterations;
+            search = feasible_first(search.found);
+            search.iterations += before;
+        }
+    }
+
     /// Narrows the limits until the given ones are kept with the required probability. The margin
     /// depends on the plan, so both are found in turn.
     StrokeSearch with_margins(StrokeSearch search) {
@@ -270,19 +311,20 @@ private:
         normal.set_weights(Eigen::VectorXd::Ones(nodes), Eigen::VectorXd::Zero(nodes));
         StrokeTask task = m_task;
         task.target = &normal;
-        StrokedState near = all;
-        near.cost = cost_of(normal, m_built->net, form_of(all));
-        if (near.cost > *m_options->tolerance * *m_options->tolerance) {
+        task.form_tolerance = *m_options->tolerance;
+        if (!is_within_tolerances(task, m_built->net, all.nets.front())) {
             return all;
         }
-        FewestStrokes fewest = fewest_strokes(m_responses, task, near, *m_options->tolerance);
+        StrokedState near = all;
+        near.cost = cost_of(task, m_built->net, all.nets.front());
+        FewestStrokes fewest = fewest_strokes(m_responses, task, near);
         plan.fewest_bound = fewest.bound;
         for (Eigen::Index j = 0; j < count(); ++j) {
             if (std::abs(fewest.found.strokes(j)) < negligible_stroke) {
                 m_task.shortest(j) = m_task.longest(j) = 0.0;
             }
         }
-        fewest.found.cost = cost_of(*m_target, m_built->net, form_of(fewest.found));
+        fewest.found.cost = cost_of(m_task, m_built->net, fewest.found.nets.front());
         return fewest.found;
     }
 
@@ -298,21 +340,55 @@ private:
         return draw_strokes(*m_built, m_responses, state, m_options->actuator_std, m_options->seed);
     }
 
-    FormDeviation unconstrained(const StrokedState& state) {
+    /// The best state with unlimited strokes.
+    /// @param task of which limits of strokes are not used
+    StrokedState unconstrained(const StrokedState& state, const StrokeTask& task) {
         for (LimitedResponse& limited : m_responses) {
             // No limit but that no edge goes slack.
             limited.range.lower = limited.range.lower.cwiseMin(least_taut(limited.response.net()));
             limited.range.upper.setConstant(std::numeric_limits<double>::infinity());
         }
-        StrokeTask free = m_task;
+        StrokeTask free = task;
         const Eigen::VectorXd lengths = m_built->net.unstressed_lengths()(m_edges);
         free.shortest = -0.5 * lengths;
         free.longest = 0.5 * lengths;
         StrokedState start = state;
         refresh_state(start);
-        const StrokeSearch search = search_strokes(m_responses, free, start);
+        start.cost = cost_of(free, m_built->net, start.nets.front());
+        StrokeSearch search = search_strokes(m_responses, free, start);
         set_limits(m_given);
-        return deviation(search.found);
+        return std::move(search.found);
+    }
+
+    /// @param draws of the state; null: none
+    void describe_tensions(Plan& plan, const StrokedState& state, const StrokedState& unlimited,
+                           const DrawnStrokes* draws) {
+        const Eigen::VectorXd none = Eigen::VectorXd::Zero(m_built->net.node_count());
+        FormTarget any_form = *m_target;
+        any_form.set_weights(none, none);
+        StrokeTask task = m_task;
+        task.target = &any_form;
+        const StrokedState of_any_form = unconstrained(unlimited, task);
+        plan.target_tensions =
+            reached_tensions(m_options->target_tensions, {.as_built = &m_as_built,
+                                                          .planned = &state,
+                                                          .unconstrained = &unlimited,
+                                                          .of_any_form = &of_any_form,
+                                                          .draws = draws});
+    }
+
+    /// Of the form and of the target tensions, as the target's objective.
+    [[nodiscard]] bool is_within_tolerance(const Plan& plan) const {
+        const bool is_rms = m_target->objective() == FormObjective::rms;
+        double square = 0.0;  // of the tensions, mean or largest
+        for (const ReachedTension& reached : plan.target_tensions) {
+            const double one = reached.deviation() * reached.deviation();
+            square = is_rms ? square + one / static_cast<double>(plan.target_tensions.size())
+                            : std::max(square, one);
+        }
+        return (is_rms ? plan.planned.normal_rmse : plan.planned.normal_max) <=
+                   *m_options->tolerance &&
+               square <= 1.0;
     }
 
     void describe(Plan& plan, const StrokedState& state) {
@@ -328,15 +404,11 @@ private:
         plan.form = form_of(state);
         plan.tensions = state.nets.front().forces.head(net.edge_count()).cwiseMax(0.0);
         plan.form_std = Eigen::MatrixXd::Zero(3, net.node_count());
-        if (m_options->tolerance) {
-            const double reached = m_target->objective() == FormObjective::rms
-                                       ? plan.planned.normal_rmse
-                                       : plan.planned.normal_max;
-            plan.is_within_tolerance = reached <= *m_options->tolerance;
-        }
         set_limits(m_given);
+        std::optional<DrawnStrokes> drawn_strokes;
         if (draws() > 0) {
-            describe_draws(plan, state);
+            drawn_strokes = drawn(state);
+            describe_draws(plan, state, *drawn_strokes);
         } else {
             plan.no_draws_because = m_built->no_draws_because;
             StrokedState given = state;
@@ -344,12 +416,18 @@ private:
             plan.is_feasible = !is_violated(given);
             list_breaches(plan, state, nullptr);
         }
-        plan.unconstrained = unconstrained(state);
+        const StrokedState unlimited = unconstrained(state, m_task);
+        plan.unconstrained = deviation(unlimited);
+        if (!m_task.tensions.empty()) {
+            describe_tensions(plan, state, unlimited, drawn_strokes ? &*drawn_strokes : nullptr);
+        }
+        if (m_options->tolerance) {
+            plan.is_within_tolerance = is_within_tolerance(plan);
+        }
     }
 
-    void describe_draws(Plan& plan, const StrokedState& state) {
+    void describe_draws(Plan& plan, const StrokedState& state, const DrawnStrokes& drawn_strokes) {
         const CableNet& net = m_built->net;
-        const DrawnStrokes drawn_strokes = drawn(state);
         const LimitMargins margins(m_given, state, drawn_strokes);
         plan.draws = static_cast<int>(draws());
         plan.draws_needed = draws_needed(m_options->confidence, draws());
@@ -508,18 +586,8 @@ Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits&
         throw FailedIdentification(
             fmt::format("the identification failed its checks: {}", built.failed_because));
     }
-    // Only their ratios count: beside the deviations stands (turning_weight) what turning costs.
-    // The median of those above 0, so that one node of a large weight does not make turning cheap.
-    std::vector<double> weights;
-    for (const int node : built.net.free_nodes()) {
-        const double normal = target.normal_weights()(node);
-        weights.push_back(normal > 0.0 ? normal : target.tangential_weights()(node));
-    }
-    std::erase(weights, 0.0);
-    const auto middle = weights.begin() + std::ssize(weights) / 2;
-    std::ranges::nth_element(weights, middle);
-    FormTarget relative = target;
-    relative.set_weights(target.normal_weights() / *middle, target.tangential_weights() / *middle);
+    const FormTarget relative =
+        with_median_weight_one(target, built.net, !options.target_tensions.empty());
     return Planning(built, relative, limits, options, progress).make();
 }
 

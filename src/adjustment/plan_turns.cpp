@@ -9,21 +9,12 @@
 #include <cmath>
 #include <limits>
 
+#include "adjustment/tension_targets.hpp"
 #include "statics/arguments.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut {
 namespace {
-
-const std::vector<int>& edges_of_group(const CableNet& net, const std::string& group,
-                                       const char* field) {
-    const auto found = net.data().groups.find(group);
-    if (found == net.data().groups.end()) {
-        throw RequestError(field,
-                           fmt::format("names the group '{}', which the net does not have", group));
-    }
-    return found->second;
-}
 
 void check_stroke(const char* field, double stroke) {
     if (!(stroke > 0.0) || std::isinf(stroke)) {
@@ -211,6 +202,14 @@ ResolvedRequest resolve(const CableNet& net, const CableNet& built, const PlanRe
     }
     for (const ReactionBound& bound : request.reaction) {
         limits.reactions.push_back(limit_of(net, bound));
+    }
+    if (!request.target_tension.empty()) {
+        result.options.target_tensions = tension_targets_of(net, request.target_tension);
+    }
+    if (result.options.form_tolerance && result.options.target_tensions.empty()) {
+        throw RequestError("form_tolerance",
+                           "weighs the form against target tensions, and none "
+                           "are given");
     }
     for (const AddedLoads& added : request.load_cases) {
         check_form(added.name.c_str(), net.node_count(), added.loads);

@@ -88,44 +88,35 @@ Eigen::SparseMatrix<double> upper_triangle(const Eigen::MatrixXd& dense, int siz
 
 }  // namespace
 
-double cost_of(const FormTarget& target, const CableNet& net, const Points& form) {
-    const FormTarget near_form = target.at(form);
-    double sum = 0.0;
-    double largest = 0.0;
-    for (const int node : net.free_nodes()) {
-        const double square =
-            near_form.weighted(node, form.col(node) - near_form.places().col(node)).squaredNorm();
-        sum += square;
-        largest = std::max(largest, square);
-    }
-    return target.objective() == FormObjective::rms ? sum / net.free_node_count() : largest;
-}
-
 StrokeProgram::StrokeProgram(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                              const StrokedState& state)
-    : m_responses(&responses), m_task(&task), m_state(&state) {
-    const CableNet& net = responses.front().response.net();
+    : m_responses(&responses),
+      m_task(&task),
+      m_state(&state),
+      m_nodes(responses.front().response.net().free_node_count()) {
     for (size_t i = 0; i < responses.size(); ++i) {
         StrokeRates rates = responses[i].response.rates(state.nets[i]);
-        m_force_rates.push_back(std::move(rates.forces));
         if (i == 0) {
-            m_rates = std::move(rates.form);
+            m_deviations = deviations_from_targets(task, responses.front().response.net(),
+                                                   state.nets.front(), rates);
         }
+        m_force_rates.push_back(std::move(rates.forces));
     }
-    const FormTarget target = task.target->at(state.nets.front().equilibrium.form);
-    m_deviation.resize(m_rates.rows());
-    for (int i = 0; i < net.free_node_count(); ++i) {
-        const int node = net.free_nodes()[i];
-        const Eigen::Matrix3d weight = target.weight(node);
-        m_deviation.segment<3>(Eigen::Index{3} * i) =
-            weight * (state.nets.front().equilibrium.form.col(node) - target.places().col(node));
-        m_rates.middleRows(Eigen::Index{3} * i, 3) =
-            (weight * m_rates.middleRows(Eigen::Index{3} * i, 3)).eval();
-    }
-    if (task.target->objective() == FormObjective::rms) {
-        m_normal = m_rates.transpose() * m_rates / net.free_node_count();
+    if (!is_largest()) {
+        m_normal =
+            m_deviations.rates.transpose() * m_deviations.rates / static_cast<double>(m_nodes);
     }
     m_force_unit = std::max(state.nets.front().equilibrium.mean_tension, 1e-9);
+}
+
+template <class Take>
+void StrokeProgram::for_each_target(Take take) const {
+    const Eigen::Index rows = m_deviations.values.size();
+    for (Eigen::Index row = 0; row < rows;) {
+        const Eigen::Index count = row < 3 * m_nodes ? 3 : 1;
+        take(row, count);
+        row += count;
+    }
 }
 
 std::vector<StrokeProgram::Row> StrokeProgram::all_rows() const {
@@ -201,7 +192,8 @@ std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
         violation += std::max(0.0, excess_after(row, *change));
     }
     ProposedStrokes proposed{.strokes = at + *change};
-    proposed.merit = merit_after(m_deviation + m_rates * *change, proposed.strokes, violation);
+    const double cost = cost_of(*m_task, m_deviations.values + m_deviations.rates * *change);
+    proposed.merit = merit_of(*m_task, cost, proposed.strokes, violation);
     return proposed;
 }
 
@@ -218,14 +210,14 @@ std::optional<Eigen::VectorXd> StrokeProgram::best_change(const Eigen::VectorXd&
     const int columns = largest + (is_largest() ? 1 : 0);
 
     const double turning = 2.0 * turning_weight / static_cast<double>(k);
-    const Eigen::VectorXd deviation = m_deviation / program_length;
+    const Eigen::VectorXd deviation = m_deviations.values / program_length;
     ConicProgram program;
     Eigen::MatrixXd quadratic = Eigen::MatrixXd::Zero(k, k);
     program.q = Eigen::VectorXd::Zero(columns);
-    const auto nodes = static_cast<double>(m_deviation.size()) / 3.0;
     if (!is_largest()) {
         quadratic = 2.0 * m_normal;
-        program.q.head(k) = 2.0 / nodes * m_rates.transpose() * deviation;
+        program.q.head(k) =
+            2.0 / static_cast<double>(m_nodes) * m_deviations.rates.transpose() * deviation;
     }
     quadratic.diagonal().array() += turning;
     program.q.head(k) += turning / program_length * at;
@@ -242,18 +234,17 @@ std::optional<Eigen::VectorXd> StrokeProgram::best_change(const Eigen::VectorXd&
     add_stroke_bounds(rows, low, high);
     add_limits(rows, limits, broken);
     if (is_largest()) {
-        for (Eigen::Index node = 0; node < m_deviation.size() / 3; ++node) {
-            rows.begin_cone(4);
+        for_each_target([&](Eigen::Index first, Eigen::Index count) {
+            rows.begin_cone(static_cast<int>(count) + 1);
             rows.cone_row(0.0);
             rows.entry(largest, -1.0);
-            for (Eigen::Index axis = 0; axis < 3; ++axis) {
-                const Eigen::Index row = 3 * node + axis;
+            for (Eigen::Index row = first; row < first + count; ++row) {
                 rows.cone_row(deviation(row));
                 for (int j = 0; j < changes; ++j) {
-                    rows.entry(j, -m_rates(row, j));
+                    rows.entry(j, -m_deviations.rates(row, j));
                 }
             }
-        }
+        });
     }
     rows.write(program, columns);
     const ConicSolution solution = solve_conic(program, most_conic_iterations);
@@ -264,26 +255,15 @@ std::optional<Eigen::VectorXd> StrokeProgram::best_change(const Eigen::VectorXd&
     return (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
 }
 
-double StrokeProgram::merit_after(const Eigen::VectorXd& deviation, const Eigen::VectorXd& strokes,
-                                  double violation) const {
-    const auto squares = deviation.reshaped(3, deviation.size() / 3).colwise().squaredNorm();
-    const double cost =
-        m_task->target->objective() == FormObjective::rms ? squares.mean() : squares.maxCoeff();
-    return merit_of(*m_task, cost, strokes, violation);
-}
-
 std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorXd& weights,
-                                                            double cost_bound,
                                                             double radius) const {
-    const std::optional<Eigen::VectorXd> change =
-        change_holding_limits([&](const std::vector<Row>& limits) {
-            return least_change(weights, cost_bound, radius, limits);
-        });
+    const std::optional<Eigen::VectorXd> change = change_holding_limits(
+        [&](const std::vector<Row>& limits) { return least_change(weights, radius, limits); });
     return change ? std::optional<Eigen::VectorXd>(m_state->strokes + *change) : std::nullopt;
 }
 
 std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd& weights,
-                                                           double cost_bound, double radius,
+                                                           double radius,
                                                            const std::vector<Row>& limits) const {
     const Eigen::VectorXd& at = m_state->strokes;
     const Eigen::Index k = at.size();
@@ -316,8 +296,9 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd
     add_limits(rows, limits, broken);
     rows.at_most(0.0);
     rows.entry(over_bound, -1.0);
-    const auto add_cone = [&](double bound, const Eigen::MatrixXd& rates,
-                              const Eigen::VectorXd& deviation) {
+    const double bound =
+        m_task->form_tolerance * (is_largest() ? 1.0 : std::sqrt(static_cast<double>(m_nodes)));
+    const auto add_cone = [&](const Eigen::MatrixXd& rates, const Eigen::VectorXd& deviation) {
         rows.begin_cone(static_cast<int>(deviation.size()) + 1);
         rows.cone_row(bound / program_length);
         rows.entry(over_bound, -1.0);
@@ -328,19 +309,25 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd
             }
         }
     };
-    const Eigen::Index nodes = m_deviation.size() / 3;
-    const double bound = std::sqrt(cost_bound);
+    const auto& [deviation, rates] = m_deviations;
     if (is_largest()) {
-        for (Eigen::Index node = 0; node < nodes; ++node) {
-            add_cone(bound, m_rates.middleRows(3 * node, 3), m_deviation.segment<3>(3 * node));
-        }
+        for_each_target([&](Eigen::Index first, Eigen::Index count) {
+            add_cone(rates.middleRows(first, count), deviation.segment(first, count));
+        });
     } else {
-        // |Z x + z| = |R x + r| with the triangle of Z, z: as many rows as columns.
-        Eigen::MatrixXd both(m_rates.rows(), k + 1);
-        both << m_rates, m_deviation;
-        const Eigen::MatrixXd triangle = triangle_of(both);
-        add_cone(bound * std::sqrt(static_cast<double>(nodes)), triangle.leftCols(k),
-                 triangle.rightCols(1));
+        // The form, then the tensions.
+        for (const auto& [first, count] :
+             {std::pair(Eigen::Index{0}, 3 * m_nodes),
+              std::pair(3 * m_nodes, deviation.size() - 3 * m_nodes)}) {
+            if (count == 0) {
+                continue;
+            }
+            // |Z x + z| = |R x + r| with the triangle of Z, z: as many rows as columns.
+            Eigen::MatrixXd both(count, k + 1);
+            both << rates.middleRows(first, count), deviation.segment(first, count);
+            const Eigen::MatrixXd triangle = triangle_of(both);
+            add_cone(triangle.leftCols(k), triangle.rightCols(1));
+        }
     }
     rows.write(program, columns);
     const ConicSolution solution = solve_conic(program, most_conic_iterations);
@@ -368,8 +355,9 @@ std::vector<ProposedStrokes> StrokeProgram::single_steps(double step) const {
                 violation += (*m_responses)[i].range.violation(m_state->nets[i].forces +
                                                                change * m_force_rates[i].col(j));
             }
-            proposed.merit =
-                merit_after(m_deviation + change * m_rates.col(j), proposed.strokes, violation);
+            const double cost =
+                cost_of(*m_task, m_deviations.values + change * m_deviations.rates.col(j));
+            proposed.merit = merit_of(*m_task, cost, proposed.strokes, violation);
             if (proposed.merit < before) {
                 better.push_back(std::move(proposed));
             }

@@ -8,15 +8,13 @@
 #include <vector>
 
 #include "adjustment/stroke_search.hpp"
+#include "adjustment/target_deviations.hpp"
 
 namespace taut {
 
 /// Weight of the mean square of the strokes beside that of the deviations: among strokes with about
 /// the same form it prefers short ones.
 constexpr double turning_weight = 1e-5;
-
-/// Mean square of the weighted deviations of the free nodes, or the square of the largest [m2].
-[[nodiscard]] double cost_of(const FormTarget& target, const CableNet& net, const Points& form);
 
 class ProgramRows;
 
@@ -37,11 +35,9 @@ public:
     /// none.
     [[nodiscard]] std::optional<ProposedStrokes> solve(double radius) const;
 
-    /// The strokes with the least sum_j weight_j |x_j| for which the cost is at most a bound, as
-    /// far as limits allow.
-    /// @param cost_bound mean square, or largest square, of the weighted deviations [m2]
+    /// The strokes with the least sum_j weight_j |x_j| for which the state is_within_tolerances(),
+    /// as far as limits allow.
     [[nodiscard]] std::optional<Eigen::VectorXd> least_turning(const Eigen::VectorXd& weights,
-                                                               double cost_bound,
                                                                double radius) const;
 
     /// The strokes of the state with one changed by a step: those that lower the merit of the
@@ -65,20 +61,21 @@ private:
                                                              const Eigen::VectorXd& high,
                                                              const std::vector<Row>& limits) const;
     [[nodiscard]] std::optional<Eigen::VectorXd> least_change(const Eigen::VectorXd& weights,
-                                                              double cost_bound, double radius,
+                                                              double radius,
                                                               const std::vector<Row>& limits) const;
     [[nodiscard]] bool is_largest() const {
         return m_task->target->objective() == FormObjective::largest;
     }
-    [[nodiscard]] double merit_after(const Eigen::VectorXd& deviation,
-                                     const Eigen::VectorXd& strokes, double violation) const;
+    /// Calls `take(first row, rows)` for each node, then for each target tension.
+    template <class Take>
+    void for_each_target(Take take) const;
 
     const std::vector<LimitedResponse>* m_responses;
     const StrokeTask* m_task;
     const StrokedState* m_state;
-    Eigen::VectorXd m_deviation;  ///< 3 n_I, weighted [m]
-    Eigen::MatrixXd m_rates;      ///< 3 n_I x k, of the weighted deviation [m/m]
-    Eigen::MatrixXd m_normal;     ///< k x k, of the mean squares [-]
+    Eigen::Index m_nodes = 0;  ///< free ones
+    TargetDeviations m_deviations;
+    Eigen::MatrixXd m_normal;  ///< k x k, of the mean squares [-]
     std::vector<Eigen::MatrixXd> m_force_rates;
     double m_force_unit = 1.0;
 };

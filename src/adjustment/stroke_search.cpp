@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "adjustment/stroke_program.hpp"
+#include "adjustment/target_deviations.hpp"
 
 namespace taut {
 namespace {
@@ -50,8 +51,7 @@ StrokedState state_at(std::vector<LimitedResponse>& responses, const StrokeTask&
         state.cost = std::numeric_limits<double>::infinity();
         return state;
     }
-    state.cost = cost_of(*task.target, responses.front().response.net(),
-                         state.nets.front().equilibrium.form);
+    state.cost = cost_of(task, responses.front().response.net(), state.nets.front());
     return state;
 }
 

@@ -8,6 +8,7 @@
 #include "adjustment/stroke_response.hpp"
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
+#include "taut/adjustment/tension_target.hpp"
 
 namespace taut {
 
@@ -25,7 +26,7 @@ struct LimitedResponse {
 struct StrokedState {
     Eigen::VectorXd strokes;  ///< k [m]
     std::vector<StrokedNet> nets;
-    double cost = 0.0;       ///< mean square, or largest square, of the weighted deviations [m2]
+    double cost = 0.0;       ///< cost_of() its deviations from the targets [m2]
     double violation = 0.0;  ///< sum of the excesses of forces over their limits [N]
     [[nodiscard]] bool balanced() const;
 };
@@ -36,7 +37,7 @@ struct StrokeSearch {
     bool has_converged = false;
 };
 
-/// The target, and the limits of the strokes.
+/// The targets, and the limits of the strokes.
 struct StrokeTask {
     const FormTarget* target = nullptr;
     Eigen::VectorXd shortest;  ///< k [m]
@@ -44,6 +45,8 @@ struct StrokeTask {
     /// Cost of a newton over a limit [m2/N]; where it is large, the search lowers the violation
     /// first.
     double violation_weight = 0.0;
+    std::vector<TensionTarget> tensions = {};  ///< of the first net
+    double form_tolerance = 0.0;  ///< form deviation that counts as one tolerance of a tension [m]
 };
 
 /// What the search minimises: cost, turning and violation together [m2].

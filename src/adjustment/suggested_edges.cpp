@@ -13,9 +13,10 @@
 #include "adjustment/check_plan.hpp"
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_search.hpp"
+#include "adjustment/target_deviations.hpp"
+#include "adjustment/tension_targets.hpp"
 #include "numerics/small_dense.hpp"
 #include "statics/arguments.hpp"
-#include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
 namespace {
@@ -35,8 +36,12 @@ struct TurnedSet {
 class SuggestionSearch {
 public:
     SuggestionSearch(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-                     const Plan& plan)
-        : m_net(&built.net), m_target(&target), m_limits(&limits), m_plan(&plan) {
+                     const PlanOptions& options, const Plan& plan)
+        : m_net(&built.net),
+          m_target(with_median_weight_one(target, built.net, !options.target_tensions.empty())),
+          m_limits(&limits),
+          m_options(&options),
+          m_plan(&plan) {
         for (const LoadCase& load_case : limits.load_cases) {
             m_case_nets.push_back(with_loads(built.net, load_case.loads));
         }
@@ -76,21 +81,11 @@ public:
     /// which the columns of the set are projected out; less where the stroke is limited.
     [[nodiscard]] std::vector<int> ranked(const TurnedSet& set) const {
         const StrokedNet& stroked = set.state.nets.front();
-        const FormTarget target = m_target->at(stroked.equilibrium.form);
-        const FormSensitivity rates(*m_net, stroked.unstressed_lengths, stroked.equilibrium.form);
-        Eigen::VectorXd residual(Eigen::Index{3} * m_net->free_node_count());
-        for (int i = 0; i < m_net->free_node_count(); ++i) {
-            const int node = m_net->free_nodes()[i];
-            residual.segment<3>(Eigen::Index{3} * i) = target.weighted(
-                node, stroked.equilibrium.form.col(node) - target.places().col(node));
-        }
+        const StrokeTask task = task_of(set);
+        const Eigen::VectorXd residual = deviations_from_targets(task, *m_net, stroked).values;
         const auto weighted_columns = [&](std::span<const int> edges) {
-            Eigen::MatrixXd columns = rates.columns(edges);
-            for (int i = 0; i < m_net->free_node_count(); ++i) {
-                auto rows = columns.middleRows(Eigen::Index{3} * i, 3);
-                rows = (target.weight(m_net->free_nodes()[i]) * rows).eval();
-            }
-            return columns;
+            const StrokeResponse response(*m_net, {edges.begin(), edges.end()}, {});
+            return deviations_from_targets(task, *m_net, stroked, response.rates(stroked)).rates;
         };
         // Only strokes that are not at their limits can adapt to the new one.
         std::vector<int> adapting;
@@ -151,10 +146,12 @@ private:
     }
 
     [[nodiscard]] StrokeTask task_of(const TurnedSet& set) const {
-        return {.target = m_target,
+        return {.target = &m_target,
                 .shortest = set.shortest,
                 .longest = set.longest,
-                .violation_weight = m_violation_weight};
+                .violation_weight = m_violation_weight,
+                .tensions = m_options->target_tensions,
+                .form_tolerance = m_options->weighing_tolerance()};
     }
 
     /// Finds the best strokes of a set, from a start.
@@ -181,8 +178,9 @@ private:
     }
 
     const CableNet* m_net;
-    const FormTarget* m_target;
+    FormTarget m_target;
     const Limits* m_limits;
+    const PlanOptions* m_options;
     const Plan* m_plan;
     std::vector<CableNet> m_case_nets;
     double m_longest = 0.0;
@@ -200,6 +198,7 @@ std::vector<SuggestedEdge> suggested_edges(const BuiltNet& built, const FormTarg
     const std::vector<int>& edges =
         options.edges.empty() ? built.net.adjustable_edges() : options.edges;
     check_limits(built.net, edges, limits);
+    check_tension_targets(built.net, options.target_tensions, limits.tension);
     check_plan(built.net, limits, plan);
     check_form("plan", built.net.node_count(), plan.form);
     for (const PlannedStroke& stroke : plan.strokes) {
@@ -209,7 +208,7 @@ std::vector<SuggestedEdge> suggested_edges(const BuiltNet& built, const FormTarg
                             built.net.edge_id(stroke.edge)));
         }
     }
-    SuggestionSearch search(built, target, limits, plan);
+    SuggestionSearch search(built, target, limits, options, plan);
     TurnedSet set = search.planned(edges);
     std::vector<SuggestedEdge> result;
     for (int i = 0; i < count; ++i) {
@@ -226,12 +225,13 @@ std::vector<SuggestedEdge> suggested_edges(const BuiltNet& built, const FormTarg
             break;
         }
         set = std::move(*best);
+        const StrokedNet& reached = set.state.nets.front();
         result.push_back(
             {.edge = set.edges.back(),
              .stroke = set.state.strokes(set.state.strokes.size() - 1),
              .normal_rmse_after =
-                 deviation_from(target, built.net, set.state.nets.front().equilibrium.form)
-                     .normal_rmse});
+                 deviation_from(target, built.net, reached.equilibrium.form).normal_rmse,
+             .tension_rmse_after = tension_rmse(options.target_tensions, reached.forces)});
     }
     progress("suggested edges", count, count);
     return result;

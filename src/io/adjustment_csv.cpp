@@ -91,6 +91,31 @@ std::vector<NodeWeights> parse_node_weights(const CableNet& net, std::string_vie
     return result;
 }
 
+std::vector<GivenTension> parse_target_tensions(const CableNet& net, std::string_view text,
+                                                const std::string& file_name) {
+    const CsvTable table(text, file_name,
+                         {.names = {"edge", "tension", "tolerance"}, .optional = 1},
+                         "holds no target tension");
+    NameColumn edges = NameColumn::of_edges(table, net);
+    const auto force_in = [&](const CsvRecord& row, size_t column) {
+        const double force = table.number(row, column);
+        if (!(force > 0.0)) {
+            table.refuse(row, column, "more than 0");
+        }
+        return force;
+    };
+    std::vector<GivenTension> result;
+    for (const CsvRecord& row : table.rows()) {
+        GivenTension& one = result.emplace_back();
+        one.edge = edges.unique_index(row);
+        one.tension = force_in(row, 1);
+        if (table.has(2)) {
+            one.tolerance = {.value = force_in(row, 2)};
+        }
+    }
+    return result;
+}
+
 GivenTarget read_target(const CableNet& net, const std::filesystem::path& file, double unit) {
     if (is_surface_mesh_name(file)) {
         SurfaceMesh mesh = parse_surface_mesh(read_file(file), file.string());

@@ -52,6 +52,9 @@ constexpr ControlStrategy last_of(ControlStrategy /*type*/) {
 constexpr ModelErrors last_of(ModelErrors /*type*/) {
     return ModelErrors::given;
 }
+constexpr TensionObstacle last_of(TensionObstacle /*type*/) {
+    return TensionObstacle::turnbuckles;
+}
 
 // The documents, and their parts that are read again.
 

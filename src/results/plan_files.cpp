@@ -90,6 +90,12 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
         warnings.push_back(
             fmt::format("NO SAFE ORDER WAS FOUND: step {} breaks a limit", order.worst.step + 1));
     }
+    if (plan.draws == 0 && !plan.target_tensions.empty()) {
+        warnings.push_back(
+            fmt::format("TARGET TENSIONS CANNOT BE PROMISED: they are those of the estimate alone, "
+                        "because {}",
+                        plan.no_draws_because));
+    }
     if (plan.draws == 0 && record.turns->limits.has_forces()) {
         warnings.push_back(
             fmt::format("LIMITS CANNOT BE PROMISED: tensions are not reported, because {}",

@@ -72,6 +72,28 @@ Description<PlanResult::Tension> describe(const PlanResult::Tension* /*type*/) {
         .key("limit_upper", &Tension::limit_upper, size, "Null: none.");
 }
 
+Description<ReachedTension> describe(const ReachedTension* /*type*/) {
+    using Reached = ReachedTension;
+    return Description<Reached>(
+               "target_tension",
+               "A target tension, and how near the plan comes to it. Mean, std and "
+               "probability are over the samples of the plan, null without; all "
+               "else is of the estimate [N].")
+        .key("edge", &Reached::edge)
+        .key("edge_id", TAUT_VALUE(c.net->edge_id(it.edge)))
+        .key("target", &Reached::target, size)
+        .key("tolerance", &Reached::tolerance, size)
+        .key("as_built", &Reached::as_built, size)
+        .key("planned", &Reached::planned, size)
+        .key("unconstrained", &Reached::unconstrained, size, "With unlimited strokes.")
+        .key("of_any_form", &Reached::of_any_form, size,
+             "With unlimited strokes and without regard to the form.")
+        .key("mean", &Reached::mean, size)
+        .key("std", &Reached::std, size)
+        .key("probability", &Reached::probability, part, "That it is within the tolerance.")
+        .key("obstacle", &Reached::obstacle, "What keeps it out of the tolerance.");
+}
+
 Description<WorstStep> describe(const WorstStep* /*type*/) {
     return Description<WorstStep>("worst_step")
         .key("step", &WorstStep::step)
@@ -83,7 +105,9 @@ Description<SuggestedEdge> describe(const SuggestedEdge* /*type*/) {
         .key("edge", &SuggestedEdge::edge)
         .key("edge_id", TAUT_VALUE(c.net->edge_id(it.edge)))
         .key("stroke", &SuggestedEdge::stroke)
-        .key("normal_rmse_after", &SuggestedEdge::normal_rmse_after, size);
+        .key("normal_rmse_after", &SuggestedEdge::normal_rmse_after, size)
+        .newer("tension_rmse_after", &SuggestedEdge::tension_rmse_after, size,
+               "Of the target tensions, in their tolerances; null without them.");
 }
 
 Description<SuggestedTarget> describe(const SuggestedTarget* /*type*/) {
@@ -207,6 +231,12 @@ Description<PlanRecord> plan_options() {
         .key("step", TAUT_VALUE(when(it.turns->options.turn.has_value(), turn_of(it).step())), size,
              "By the smallest part of a turn; 0: any [m].")
         .key("tolerance", TAUT_VALUE(it.turns->options.tolerance), size, "[m].")
+        .newer("form_tolerance",
+               TAUT_VALUE(when(!it.turns->options.target_tensions.empty(),
+                               it.turns->options.weighing_tolerance())),
+               size,
+               "Form deviation that counts as much as target tensions off by their tolerances; "
+               "null without them [m].")
         .key("thread",
              TAUT_VALUE(when(it.turns->thread.has_value(),
                              it.turns->thread == Thread::right ? "right" : "left")),
@@ -245,6 +275,8 @@ Description<PlanRecord> describe(const PlanRecord* /*type*/) {
              "Limits that are broken, or kept with too small a probability; the worst first.")
         .object("form", plan_form())
         .object("tension", plan_tension())
+        .newer("target_tensions", TAUT_VALUE(it.turns->plan.target_tensions),
+               "Ascending by edge; empty: none were given.")
         .object("order", plan_order())
         .newer("suggested_adjustable", TAUT_VALUE(it.turns->suggested_adjustable),
                "Edges that would help most if they were adjustable, each with those before it; "

@@ -75,6 +75,16 @@ PlanResult read_plan(const JsonValue& root) {
     for (int e = 0; e < count; ++e) {
         plan.tensions.push_back(read_tension(edges.at(e), e));
     }
+    if (const auto targets = root.find("target_tensions")) {
+        int last = -1;
+        for (size_t i = 0; i < targets->json().size(); ++i) {
+            const JsonValue edge = member(targets->at(i), "edge");
+            if (read_edge_index(edge, plan.net) <= last) {
+                edge.fail(fmt::format("is {}, expected above {}: ascending", edge.integer(), last));
+            }
+            last = edge.integer();
+        }
+    }
     std::set<int> turned;
     for (const JsonValue& turn : entries(root, "turns")) {
         turned.insert(read_turn(turn, plan.net));

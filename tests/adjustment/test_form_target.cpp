@@ -157,8 +157,6 @@ TEST(FormTarget, RefusesWhatIsNoTarget) {
     EXPECT_THAT([&] { FormTarget(net, broken); }, refused("target"));
     EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = -1.0}); }, refused("weight is -1"));
     EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = nan}); }, refused("weight is nan"));
-    EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = 0.0, .tangential = 0.0}); },
-                refused("all weights are 0"));
     FormTarget target(net, net.nodes());
     EXPECT_THAT([&] { target.set_weights(Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3)); },
                 refused("3 and 3 weights"));

@@ -68,8 +68,27 @@ Limits limits_between(const CableNet& net, double stroke, double lower, double u
     return limits;
 }
 
-TEST(Plan, IsThatOfAnIndependentOptimiser) {
-    const json reference = json::parse(std::ifstream(TAUT_TEST_DATA_DIR "/plan_reference.json"));
+/// The net of make_plan_reference.py, as built, and its limits.
+struct Reference {
+    json numbers = json::parse(std::ifstream(TAUT_TEST_DATA_DIR "/plan_reference.json"));
+    CableNet net = designed(numbers);
+    BuiltNet built{.net = built_with(net, vector_of(numbers["built"])),
+                   .length_draws = {},
+                   .perturbations = {},
+                   .no_draws_because = "none were made"};
+    Limits limits = limits_between(built.net, numbers["stroke"].get<double>(),
+                                   numbers["lower"].get<double>(), numbers["upper"].get<double>());
+    FormTarget target{net, net.nodes(), {.normal = 1.0, .tangential = 1.0}};
+
+private:
+    static Eigen::VectorXd vector_of(const json& list) {
+        const auto values = list.get<std::vector<double>>();
+        return Eigen::VectorXd::Map(values.data(), std::ssize(values));
+    }
+    static CableNet designed(const json& reference);
+};
+
+CableNet Reference::designed(const json& reference) {
     CableNetData data;
     const auto nodes = reference["nodes"].get<std::vector<std::vector<double>>>();
     data.nodes.resize(3, std::ssize(nodes));
@@ -78,23 +97,16 @@ TEST(Plan, IsThatOfAnIndependentOptimiser) {
     }
     data.supports = reference["supports"].get<std::vector<int>>();
     data.edges = reference["edges"].get<std::vector<Edge>>();
-    const auto nominal = reference["nominal"].get<std::vector<double>>();
-    const auto built_lengths = reference["built"].get<std::vector<double>>();
-    data.unstressed_lengths = Eigen::VectorXd::Map(nominal.data(), std::ssize(nominal));
-    data.axial_stiffness =
-        Eigen::VectorXd::Constant(std::ssize(nominal), reference["axial_stiffness"].get<double>());
+    data.unstressed_lengths = vector_of(reference["nominal"]);
+    data.axial_stiffness = Eigen::VectorXd::Constant(data.unstressed_lengths.size(),
+                                                     reference["axial_stiffness"].get<double>());
     data.adjustable = reference["adjustable"].get<std::vector<int>>();
-    const CableNet net(data);
-    const BuiltNet built{
-        .net = built_with(net, Eigen::VectorXd::Map(built_lengths.data(), net.edge_count())),
-        .length_draws = {},
-        .perturbations = {},
-        .no_draws_because = "none were made"};
-    const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
-    const Plan plan = plan_strokes(
-        built, target,
-        limits_between(built.net, reference["stroke"].get<double>(),
-                       reference["lower"].get<double>(), reference["upper"].get<double>()));
+    return CableNet(data);
+}
+
+TEST(Plan, IsThatOfAnIndependentOptimiser) {
+    const auto [reference, net, built, limits, target] = Reference();
+    const Plan plan = plan_strokes(built, target, limits);
     EXPECT_TRUE(plan.has_converged);
     EXPECT_TRUE(plan.is_feasible);
     EXPECT_NEAR(plan.as_built.rmse * plan.as_built.rmse,
@@ -106,6 +118,32 @@ TEST(Plan, IsThatOfAnIndependentOptimiser) {
     EXPECT_LE(plan.largest_stroke(), reference["stroke"].get<double>());
     EXPECT_NEAR(after.minCoeff(), reference["least_tension"].get<double>(), 0.5);
     EXPECT_NEAR(after.maxCoeff(), reference["most_tension"].get<double>(), 0.5);
+}
+
+TEST(Plan, ToTensionsIsThatOfAnIndependentOptimiser) {
+    const auto [reference, net, built, limits, target] = Reference();
+    const json& expected = reference["with_tensions"];
+    PlanOptions options{.form_tolerance = expected["form_tolerance"].get<double>()};
+    for (const json& one : expected["targets"]) {
+        options.target_tensions.push_back({.edge = one["edge"].get<int>(),
+                                           .tension = one["tension"].get<double>(),
+                                           .tolerance = one["tolerance"].get<double>()});
+    }
+    const Plan plan = plan_strokes(built, target, limits, options);
+    EXPECT_TRUE(plan.has_converged);
+    EXPECT_TRUE(plan.is_feasible);
+    const auto count = static_cast<double>(plan.target_tensions.size());
+    double square = 0.0;
+    for (size_t i = 0; i < plan.target_tensions.size(); ++i) {
+        const ReachedTension& one = plan.target_tensions[i];
+        square += one.deviation() * one.deviation() / count;
+        EXPECT_NEAR(one.planned, expected["targets"][i]["reached"].get<double>(),
+                    0.05 * one.tolerance);
+    }
+    EXPECT_GT(square, 1e-3);  // form and tensions contradict each other
+    const double best = expected["cost"].get<double>();
+    EXPECT_NEAR(std::pow(plan.planned.rmse, 2) + std::pow(*options.form_tolerance, 2) * square,
+                best, 2e-4 * best);
 }
 
 /// The quadric nearest to a net, with waves [m], finely cut, over all of it and beyond.

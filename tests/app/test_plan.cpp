@@ -193,6 +193,96 @@ TEST_F(PlanCommand, WeighsSingleNodesAndRefusesWrongWeights) {
     EXPECT_EQ(weighed["options"]["node_weights"]["tangential"][1], 0.1);
 }
 
+class PlanToTensions : public PlanCommand {
+protected:
+    /// The net gets the group "ridge" of two adjustable edges, and the file targets.csv.
+    PlanToTensions() {
+        json net = json::parse(read("net.json"));
+        edges = {net["adjustable"][0], net["adjustable"][7]};
+        std::ranges::sort(edges);
+        net["groups"]["ridge"] = edges;
+        write("net.json", net.dump());
+        const json tensions = planned({})["tension"]["edges"];
+        std::string text = "edge,tension,tolerance\n";
+        for (const size_t edge : edges) {
+            targets.push_back(1.1 * tensions[edge]["as_built"].get<double>());
+            text += fmt::format("{},{},{}\n", tensions[edge]["edge"].get<int>(), targets.back(),
+                                0.1 * targets.back());
+        }
+        write("targets.csv", text);
+    }
+
+    std::vector<size_t> edges;
+    std::vector<double> targets;
+};
+
+TEST_F(PlanToTensions, ReachesThoseOfAFileAndReportsThemOverTheSamples) {
+    const Outcome outcome =
+        plan({"--target-tension", "targets.csv", "--turn", "2mm", "--step", "1/8"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("2 of 2 target tensions are within their tolerance, "
+                                             "in the mean of the samples\n"),
+                                   HasSubstr("  weighed: 5mm of form counts")));
+    const json document = json::parse(read("plan.json"));
+    ASSERT_EQ(document["target_tensions"].size(), 2U);
+    for (size_t i = 0; i < 2; ++i) {
+        const json& one = document["target_tensions"][i];
+        EXPECT_EQ(one["edge"], edges[i]);
+        EXPECT_NEAR(one["target"].get<double>(), targets[i], 1e-6);
+        EXPECT_NEAR(one["mean"].get<double>(), targets[i], 0.1 * targets[i]);
+        EXPECT_EQ(one["planned"], document["tension"]["edges"][edges[i]]["planned"]);
+        EXPECT_EQ(one["as_built"], document["tension"]["edges"][edges[i]]["as_built"]);
+        EXPECT_GT(one["std"].get<double>(), 0.0);
+        EXPECT_GT(one["probability"].get<double>(), 0.1);
+        EXPECT_EQ(one["obstacle"], "none");
+    }
+    EXPECT_EQ(document["options"]["form_tolerance"], 5e-3);
+    EXPECT_TRUE(planned({})["options"]["form_tolerance"].is_null());
+}
+
+TEST_F(PlanToTensions, TakesForcesOfGroupsAndSaysWhatCannotBeReachedOrIsNotKnown) {
+    const std::string force = fmt::format("{:.1f}N", targets[0]);
+    const json ridge = planned({"--target-tension", force + ":0.01%@ridge", "--form-tolerance",
+                                "100mm"})["target_tensions"];
+    ASSERT_EQ(ridge.size(), 2U);
+    EXPECT_NEAR(ridge[0]["tolerance"].get<double>(), 1e-4 * targets[0], 1e-2);
+    EXPECT_THAT(plan({"--target-tension", force + ":0.01%@ridge"}).out,
+                HasSubstr("The survey shows 2 of them no better than their tolerance"));
+    // One force in all cables of a hypar is no equilibrium near its form.
+    const Outcome all = plan({"--target-tension", force});
+    EXPECT_EQ(all.exit_code, 0);
+    EXPECT_THAT(all.out,
+                HasSubstr("are missed: no strokes of these turnbuckles were found that reach all "
+                          "targets, not even unlimited ones with any form"));
+    identify({"--draws", "0", "-o", "result.json"});
+    const Outcome estimate = plan({"--target-tension", force + "@ridge", "--csv", "turns.csv"});
+    EXPECT_THAT(estimate.out, StartsWith("TARGET TENSIONS CANNOT BE PROMISED"));
+    EXPECT_THAT(read("turns.csv"), StartsWith("# TARGET TENSIONS CANNOT BE PROMISED"));
+    EXPECT_TRUE(json::parse(read("plan.json"))["target_tensions"][0]["mean"].is_null());
+}
+
+TEST_F(PlanToTensions, RefusesThoseThatContradictLimitsOrAreNone) {
+    const std::string force = fmt::format("{:.1f}N", targets[0]);
+    expect_refused({"--target-tension", force, "--tension", "..1N"},
+                   "--target-tension of edge '0' is");
+    expect_refused({"--target-tension", "0kN@ridge"}, "no edge may go slack");
+    expect_refused({"--target-tension", "12kN@roof"}, "--target-tension names the group 'roof'");
+    expect_refused({"--target-tension", "12mm"}, "'12mm' is no force");
+    expect_refused({"--target-tension", "12kN:5mm"}, "'5mm' is no force");
+    expect_refused({"--target-tension", "12kN:0%"}, "has the tolerance 0 N");
+    expect_refused({"--target-tension", "missing.csv"}, "'missing.csv' is no force");
+    expect_refused({"--form-tolerance", "2mm"}, "--form-tolerance weighs the form against");
+    expect_refused({"--form-tolerance", "0mm", "--target-tension", force},
+                   "--form-tolerance is 0mm, expected more than 0");
+    expect_refused({"--weights", "normal:0,tangential:0"}, "all weights are 0");
+    write("targets.csv", "edge,tension\n0,100\n0,200\n");
+    expect_refused({"--target-tension", "targets.csv"}, "targets.csv:3: ");
+    write("targets.csv", "edge,tension\n0,-100\n");
+    expect_refused({"--target-tension", "targets.csv"}, "targets.csv:2: tension is '-100'");
+    write("targets.csv", "edge,tension,tolerance\n0,100,0\n");
+    expect_refused({"--target-tension", "targets.csv"}, "targets.csv:2: tolerance is '0'");
+}
+
 TEST_F(PlanCommand, TakesLimitsAsPartsOfBreakingLoads) {
     expect_refused({"--tension", "20%..60%"}, "breaking_load");
     const json free = planned({});

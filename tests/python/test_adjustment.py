@@ -124,6 +124,7 @@ def job(net, columns, tmp_path_factory):
     (folder / "roof.obj").write_text("\n".join(text) + "\n")
     weight = "\n".join(f"{net.node_id(node)},3,0.5" for node in net.free_nodes[:5])
     (folder / "weights.csv").write_text(f"id,normal,tangential\n{weight}\n")
+    (folder / "forces.csv").write_text(f"edge,tension\n{net.edge_id(at_edge[1])},2500\n")
     strokes = "\n".join(f"{net.edge_id(edge)},-0.004,0.01" for edge in net.adjustable_edges[:9])
     (folder / "strokes.csv").write_text(f"edge,shortest,longest\n{strokes}\n")
     survey = taut.read_survey(grouped, columns)
@@ -138,6 +139,7 @@ def job(net, columns, tmp_path_factory):
         "wet": wet,
         "surface": (vertices, triangles),
         "weights": weights,
+        "forces": {at_edge[1]: 2.5e3},
     }
 
 
@@ -179,6 +181,14 @@ JOBS = {
         ["--target", "form.csv", "--node-weights", "weights.csv"],
         lambda job: {"target": str(job["folder"] / "form.csv"), "weights": job["weights"]},
     ),
+    "target tensions": (
+        ["--target-tension", "3kN:10%@ridge", "--target-tension", "forces.csv"],
+        lambda job: {"target_tension": {"ridge": (3e3, 300.0), **job["forces"]}},
+    ),
+    "target tensions alone": (
+        ["--target-tension", "2kN", "--weights", "normal:0,tangential:0", "--objective", "largest"],
+        lambda job: {"target_tension": 2e3, "weights": (0.0, 0.0), "objective": "largest"},
+    ),
     "suggestions": (
         ["--suggest-adjustable", "2", "--suggest-targets", "0.5mm", "--crews", "2"],
         lambda job: {"suggest_adjustable": 2, "suggest_targets": 0.5e-3, "crews": 2},
@@ -201,6 +211,23 @@ def test_a_plan_is_that_of_the_program_to_the_last_digit(job, name):
         del of_program[key]
     assert plan.to_dict() == of_program
     assert pickle.loads(pickle.dumps(plan)).to_json() == plan.to_json()
+
+
+def test_target_tensions_are_forces_by_edge_or_an_array(found):
+    edges = found.net.adjustable_edges[:2]
+    tensions = np.full(len(found.net.edges), np.nan)
+    tensions[edges] = 3e3
+    plan = taut.plan(found, target_tension=tensions, form_tolerance=0.1)
+    named = taut.plan(found, target_tension={int(e): 3e3 for e in edges}, form_tolerance=0.1)
+    assert plan.to_json() == named.to_json()
+    for reached in plan.target_tensions:
+        assert reached["edge"] in edges
+        assert (reached["target"], reached["tolerance"]) == (3e3, 150.0)
+        assert reached["planned"] == plan.tension[reached["edge"]]
+        assert reached["obstacle"] == "none"
+        assert abs(reached["mean"] - 3e3) < 150.0
+    for one, saved in zip(plan.target_tensions, plan.to_dict()["target_tensions"], strict=True):
+        assert {**one, "edge_id": found.net.edge_id(one["edge"])} == saved
 
 
 def test_a_surface_may_be_an_array(job):
@@ -232,6 +259,14 @@ def test_the_samples_that_a_confidence_takes_are_told(found):
         ({"target_unit": "mm"}, "target_unit: is for a surface"),
         ({"target_unit": "yard"}, "target_unit: got 'yard'"),
         ({"weights": (-1.0, 0.1)}, "weight is -1"),
+        ({"weights": (0.0, 0.0)}, "all weights are 0"),
+        ({"target_tension": -1.0}, "target_tension: of edge '.*' is -1 N, expected more than 0"),
+        ({"target_tension": 2.0, "tension": (None, 1.0)}, "but its tension is limited to"),
+        ({"target_tension": {"ridge": 1.0}}, "target_tension: names the group 'ridge'"),
+        ({"target_tension": {10**6: 1.0}}, "target_tension: names edge 1000000"),
+        ({"target_tension": np.ones(2)}, "target_tension: got shape"),
+        ({"target_tension": {}}, "target_tension: got none"),
+        ({"form_tolerance": 1e-3}, "form_tolerance: weighs"),
         ({"target": (np.zeros((4, 3)), np.zeros((1, 4), int))}, "its triangles are not"),
         ({"target": np.zeros((2, 3))}, "target"),
         ({"edges": [10**6]}, "edge"),
@@ -248,7 +283,7 @@ def test_what_cannot_be_planned_is_refused(found, settings, words):
 
 
 @pytest.mark.parametrize(
-    "settings", [{"tension": 3.0}, {"reaction": "much"}, {"load_cases": 1}, {"stroke": {0: 1.0}}]
+    "settings", [{"tension": 3.0}, {"target_tension": {0: "x"}}, {"reaction": "much"}, {"load_cases": 1}, {"stroke": {0: 1.0}}]
 )
 def test_what_is_of_no_such_kind_is_refused_by_its_name(found, settings):
     [name] = settings

@@ -20,13 +20,32 @@ function formSentence(plan: Plan): string {
   const { as_built, planned, unconstrained } = plan.form;
   if (plan.turns.length === 0) {
     const why = plan.tolerance.reached ? `within the tolerance of ${millimetres(plan.options.tolerance)} mm` : "and no stroke within the limits brings it nearer";
-    return `Nothing to turn: as built, the net is ${millimetres(as_built.normal_rmse)} mm from its target (RMS along the normal), ${why}.`;
+    return `Nothing to turn: as built, the net is ${millimetres(as_built.normal_rmse)} mm from its target (RMS along the normal), ${why}.` + tensionWords(plan);
   }
   const by = `Turning ${counted(plan.touched, "cable")} by at most ${millimetres(plan.largest_stroke)} mm ${isNearer(plan) ? "brings" : "takes"} the net from ${millimetres(as_built.normal_rmse)} mm to ${millimetres(planned.normal_rmse)} mm from its target (RMS along the normal)`;
   // The optimum minimises a weighted RMS: this one may be above that of the plan.
   const remaining = unconstrained.normal_rmse < 0.98 * planned.normal_rmse
     ? `even with unlimited strokes ${millimetres(unconstrained.normal_rmse)} mm would remain` : "unlimited strokes would bring it no nearer";
-  return `${by}; ${remaining}.` + stepWords(plan) + toleranceWords(plan) + ellipseWords(plan.cable_net, plan.planned_form_covariance, "planned");
+  return `${by}; ${remaining}.` + tensionWords(plan) + stepWords(plan) + toleranceWords(plan) + ellipseWords(plan.cable_net, plan.planned_form_covariance, "planned");
+}
+
+/** How many target tensions are within their tolerance; nothing where there are none. */
+function tensionWords({ target_tensions, draws }: Plan): string {
+  if (!target_tensions?.length) return "";
+  const within = target_tensions.filter((t) => t.obstacle === "none").length;
+  return ` ${within} of ${counted(target_tensions.length, "target tension")} ${within === 1 ? "is" : "are"} within tolerance${draws > 0 ? " in the mean of the posterior samples" : " by the estimate"}.`;
+}
+
+/** Why target tensions are missed, and which are not known well enough, each a sentence with a blank behind it. */
+export function missedWords({ target_tensions, options }: Plan): string {
+  const all = target_tensions ?? [];
+  const sentence = (count: number, words: string): string =>
+    (count > 0 ? `${count} of ${counted(all.length, "target tension")} ${count === 1 ? "is" : "are"} ${words}. ` : "");
+  const missed = (obstacle: string, why: string): string => sentence(all.filter((t) => t.obstacle === obstacle).length, `missed: ${why}`);
+  return missed("turnbuckles", "no strokes of these turnbuckles were found that reach all targets, not even unlimited ones with any form")
+    + missed("form", "the target form is in the way")
+    + missed("limits", `limits of strokes or forces${options.step ? ", whole steps" : ""}${options.tolerance === null ? "" : ", the fewest turned cables"} are in the way`)
+    + sentence(all.filter((t) => t.std !== null && t.std >= t.tolerance).length, "known no better than the tolerance: force measurements would show more");
 }
 
 /** What rounding to whole steps of a turn costs. */
@@ -79,6 +98,7 @@ function aimOf(plan: Plan): string {
   if (plan.turns.length === 0) return "";
   if (!plan.feasible) return " No strokes keep all limits; the plan has the smallest excess.";
   const limits = plan.limits_given === false ? "keeps all cables taut" : "keeps all cables within their limits";
+  if (plan.target_tensions?.length) return ` It ${limits} and weighs the target form against target tensions.`;
   return isNearer(plan) ? ` It ${limits} and brings the form nearer to its target.` : ` It ${limits}, which takes the form away from its target.`;
 }
 

@@ -7,7 +7,7 @@ import type { ControlResidual, Identification, IdentifiedEdge, Method, Result, S
 // made the page.
 export type {
   Assumption, Comparison, ComparisonRow, Control, ControlResidual, ControlRound, ControlStrategy, Counts, Detectable, Finding, FormDeviation, FormErrorSummary,
-  Identification, IdentifiedEdge, LimitBreach, Method, NetFile, Outlier, Plan, PlannedTension, Result, Study, Turn,
+  Identification, IdentifiedEdge, LimitBreach, Method, NetFile, Outlier, Plan, PlannedTension, Result, Study, TargetTension, Turn,
 } from "./result_schema";
 
 /** The methods of a study, first the one that gave its lengths and forms. */

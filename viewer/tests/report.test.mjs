@@ -654,6 +654,19 @@ test("a plan that cannot keep its limits says so, and names those in the way", (
   assert.match(await page.innerText("[data-crew='1']"), /DO NOT TURN BY THIS LIST/);
 }));
 
+test("a plan towards target tensions shows how near each comes, the worst first, and what is in the way", () => on("to_tensions", async (page, { target_tensions, options }) => {
+  const rows = await cells(page, "#plan table:nth-of-type(1) ~ table tbody tr, #plan .scroll:nth-of-type(2) tbody tr");
+  const off = (t) => Math.abs(t.mean - t.target) / t.tolerance;
+  const sorted = [...target_tensions].sort((a, b) => off(b) - off(a));
+  sorted.slice(0, 40).forEach((t, i) => ["target", "tolerance", "as_built", "planned", "unconstrained", "mean", "std"].forEach((key, k) =>
+    assertShown(rows[i][k + 1], t[key] / 1e3, `${t.edge_id} ${key}`)));
+  const within = target_tensions.filter((t) => t.obstacle === "none").length;
+  assert.ok((await page.textContent(".sentences")).includes(`${within} of ${target_tensions.length} target tensions`));
+  const words = await page.textContent("#plan");
+  assert.match(words, /missed: no strokes of these turnbuckles were found that reach all targets, not even unlimited ones with any form/);
+  assert.ok(words.includes(`A form deviation of ${(1e3 * options.form_tolerance).toFixed(2)} mm counts as much as one tolerance`), words);
+}));
+
 test("a plan without samples, pitch or turns says what it does not have", async () => {
   await on("unsure", async (page, { draws }) => {
     assert.equal(draws, 0);

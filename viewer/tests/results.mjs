@@ -51,8 +51,9 @@ function makePlans() {
   plan("plan", "site.json", "--tension", "0.05kN..20kN", "--turn", "5mm", "--step", "1/4", "--crews", "2", "--thread", "left");
   plan("infeasible", "site.json", "--tension", "1N..200N", "--turn", "5mm", "--step", "1/4");
   plan("unsure", "drawless.json");
+  plan("to_tensions", "site.json", "--target-tension", "1kN:1%");
   plan("idle", "site.json", "--tolerance", "50mm");
-  return ["plan", "infeasible", "unsure", "idle", "raised"];
+  return ["plan", "infeasible", "unsure", "to_tensions", "idle", "raised"];
 }
 
 /** Simulated jobs of two rounds; one job of one round; and the same where nothing could be planned. */

@@ -56,7 +56,7 @@ class TAUT_ADJUSTMENT_EXPORT FormTarget {
 public:
     /// @param places 3 x n; those of supports are not read [m]
     /// @throws std::invalid_argument for wrong sizes, places that are not finite, and weights that
-    ///   are negative, not finite or all zero
+    ///   are negative or not finite
     FormTarget(const CableNet& net, Points places, DeviationWeights weights = {},
                FormObjective objective = FormObjective::rms);
 

@@ -12,6 +12,7 @@
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
+#include "taut/adjustment/tension_target.hpp"
 #include "taut/export/adjustment.hpp"
 #include "taut/progress.hpp"
 
@@ -25,15 +26,20 @@ struct TurnSize {
     [[nodiscard]] double step() const { return pitch * smallest; }
 };
 
-/// Which edges may be turned, and with which probability limits must be kept.
-struct PlanOptions {
+/// Form deviation that counts as much as a target tension off by its tolerance, by default [m].
+inline constexpr double default_form_tolerance = 5e-3;
+
+/// Which edges may be turned, what they are to reach besides the form, and with which probability
+/// limits must be kept.
+struct TAUT_ADJUSTMENT_EXPORT PlanOptions {
     std::vector<int> edges =
         {};                    ///< that may be turned, ascending; empty: the net's adjustable edges
     double confidence = 0.95;  ///< required probability that all limits are kept together
     double actuator_std = 0.0;          ///< standard deviation of a stroke from the planned one [m]
     std::optional<TurnSize> turn = {};  ///< empty: any stroke can be turned
     /// Turn the fewest edges with which the form comes so near: the root mean square of its
-    /// deviations along the normal, or the largest of them, as the target's objective [m].
+    /// deviations along the normal, or the largest of them, as the target's objective; and the
+    /// target tensions, likewise, within their tolerances [m].
     std::optional<double> tolerance = {};
     /// A-priori standard deviation of targets that might be surveyed before turning. If given, and
     /// there are posterior samples, Plan::suggested_targets says which of them help most [m].
@@ -41,6 +47,15 @@ struct PlanOptions {
     std::uint64_t seed = 1;  ///< of the random errors of the strokes
     /// Plan on an identification that failed its checks, too: to study it, not to turn by it.
     bool accept_failed = false;
+    std::vector<TensionTarget> target_tensions = {};  ///< of edges of the net, ascending
+    /// Form deviation, root mean square or largest, that counts as much as target tensions that are
+    /// off by their tolerances; empty: `tolerance`, else default_form_tolerance [m].
+    std::optional<double> form_tolerance = {};
+
+    /// The form tolerance that holds [m].
+    [[nodiscard]] double weighing_tolerance() const {
+        return form_tolerance.value_or(tolerance.value_or(default_form_tolerance));
+    }
 };
 
 /// The identification failed its checks, so no plan is made; the message says why it failed.
@@ -79,6 +94,7 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     FormDeviation as_built;              ///< of the estimate, before anything is turned
     FormDeviation planned;               ///< of the estimate
     FormDeviation unconstrained;         ///< what remains with unlimited strokes, no edge slack
+    std::vector<ReachedTension> target_tensions;  ///< one per target, in their order
     /// Standard deviation along the normal of the planned form, root mean square over the nodes:
     /// the uncertainty that another survey could reduce. 0 without samples [m].
     double normal_std = 0.0;
@@ -115,14 +131,18 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     [[nodiscard]] double gain() const { return as_built.normal_rmse - planned.normal_rmse; }
 };
 
-/// Strokes that bring a net near a target and keep its limits: first the limits, then the form,
-/// then short strokes. docs/theory.md (stroke-program); docs/adjustment.md.
+/// Strokes that bring a net near a target and keep its limits: first the limits, then the form and
+/// the target tensions, then short strokes. docs/theory.md (stroke-program), (tension-targets);
+/// docs/adjustment.md.
 ///
 /// @param built in equilibrium; limits and options refer to its edges
-/// @param target of the same net, which is not checked
+/// @param target of the same net, which is not checked; its weights may all be 0 where there are
+///   target tensions, which are then all that counts
 /// @param progress gets the stage "planning"
 /// @throws FailedIdentification where BuiltNet::failed_because is set and
 ///   PlanOptions::accept_failed is not
+/// @throws RequestError for a form tolerance and for target tensions that are not positive, and for
+///   those out of range, doubled or outside the limits of their edge
 /// @throws std::invalid_argument as check_limits(), for edges out of range, doubled or none, a
 ///   confidence outside (0, 1), a tolerance or pitch that is not positive, a smallest part of a
 ///   turn outside [0, 1], samples of wrong size or too few for the confidence, an actuator_std

@@ -28,6 +28,7 @@ struct PlanRequest {
     int crews = 1;                             ///< TurnOrderOptions::crews
     int suggest_adjustable = 0;                ///< count of suggested_edges(); 0: none
     std::optional<Thread> thread = {};         ///< of all turnbuckles; empty: as in the net
+    std::vector<GivenTension> target_tension = {};  ///< become options.target_tensions
 };
 
 /// Checks a range by itself; what it is of, resolve() does.
@@ -48,7 +49,8 @@ struct ResolvedRequest {
 ///   is further from its designed length than the total stroke, strokes of an edge that is not
 ///   adjustable or of none that may be turned, a group that the net does not have, a range of
 ///   tensions whose lower end is negative or not below its upper, parts above 1 or without breaking
-///   loads, and a limit of reactions at a group without support
+///   loads, a limit of reactions at a group without support, target tensions of what the net does
+///   not have or that contradict each other, and a form tolerance without target tensions
 /// @throws std::invalid_argument for added loads of a wrong size
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT ResolvedRequest resolve(const CableNet& net,
                                                              const CableNet& built,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "taut/adjustment/plan.hpp"
@@ -14,12 +15,14 @@ struct SuggestedEdge {
     int edge = 0;                    ///< index in the net
     double stroke = 0.0;             ///< of this edge then [m]
     double normal_rmse_after = 0.0;  ///< with this edge and those before it, all strokes free [m]
+    /// The same of the target tensions, in their tolerances; empty without them [-].
+    std::optional<double> tension_rmse_after = {};
 };
 
-/// Which edges would bring the form nearest to the target if they were made adjustable or cut to
-/// another length, one after the other. Each time all edges are ranked to first order, and of the
-/// first few the best is chosen in exact equilibrium, within the effective limits of the plan.
-/// docs/theory.md (suggested-edges).
+/// Which edges would bring form and tensions nearest to their targets if they were made adjustable
+/// or cut to another length, one after the other. Each time all edges are ranked to first order,
+/// and of the first few the best is chosen in exact equilibrium, within the effective limits of the
+/// plan. docs/theory.md (suggested-edges).
 /// @param target, limits, options that the plan was made with
 /// @param plan of this net; suggested strokes are at most the longest of the adjustable edges
 /// @param count at most so many; fewer where no other edge lowers the cost by 0.1 %

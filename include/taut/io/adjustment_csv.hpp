@@ -9,6 +9,7 @@
 
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
+#include "taut/adjustment/tension_target.hpp"
 #include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -33,6 +34,13 @@ namespace taut {
 /// @return in the order of the file, at least one
 /// @throws InputError as parse_stroke_ranges(), and for a support or a negative weight
 [[nodiscard]] TAUT_IO_EXPORT std::vector<NodeWeights> parse_node_weights(
+    const CableNet& net, std::string_view text, const std::string& file_name);
+
+/// edge,tension[,tolerance] in N, one edge a line, all above 0; without tolerance that of
+/// GivenTension.
+/// @return in the order of the file, at least one
+/// @throws InputError as parse_stroke_ranges(), and for a tension or tolerance that is not positive
+[[nodiscard]] TAUT_IO_EXPORT std::vector<GivenTension> parse_target_tensions(
     const CableNet& net, std::string_view text, const std::string& file_name);
 
 /// The target of a plan: a form, as read_form(), or a surface, .obj or .ply, as

@@ -286,6 +286,26 @@ def full_plan(folder, net):
     plan["suggested_targets"]["targets"] = [
         {"node": node, "id": net["node_ids"][node], "normal_std": 0.0002}
     ]
+    plan["target_tensions"] = [
+        {
+            "edge": edge,
+            "edge_id": net["edge_ids"][edge],
+            "target": 3000.0,
+            "tolerance": 150.0,
+            "as_built": 4000.0,
+            "planned": 3500.0,
+            "unconstrained": 3400.0,
+            "of_any_form": 3100.0,
+            "mean": 3450.0,
+            "std": 200.0,
+            "probability": 0.1,
+            "obstacle": obstacle,
+        }
+        for edge, obstacle in enumerate(["none", "limits", "form", "turnbuckles"])
+    ]
+    plan["options"]["form_tolerance"] = 0.005
+    for edge in plan["suggested_adjustable"]:
+        edge["tension_rmse_after"] = 2.5
     plan["cable_net"]["axial_stiffness"] = [net["axial_stiffness"]] * len(net["edges"])
     plan["date"] = "2026-11-21 06:30 UTC"
     return plan
