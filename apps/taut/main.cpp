@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
     leave(run_program({.name = "taut",
                        .commands = {add_inspect, add_identify, add_plan, add_report},
                        .further_commands = {add_example, add_import, add_export, add_form,
-                                            add_survey, add_control, add_compare, add_reproduce,
-                                            add_sample, add_train, add_app},
+                                            add_survey, add_frequency, add_control, add_compare,
+                                            add_reproduce, add_sample, add_train, add_app},
                        .end = end},
                       argc, argv));
 }

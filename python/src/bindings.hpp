@@ -16,6 +16,7 @@ void bind_net(nb::module_& module);
 void bind_statics(nb::module_& module);
 void bind_design(nb::module_& module);
 void bind_survey(nb::module_& module);
+void bind_frequency(nb::module_& module);
 void bind_sampling(nb::module_& module);
 void bind_gp(nb::module_& module);
 void bind_identification(nb::module_& module);

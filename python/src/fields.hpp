@@ -17,6 +17,7 @@
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/sampling/sampler.hpp"
+#include "taut/survey/cable_frequency.hpp"
 
 namespace taut::python {
 
@@ -59,6 +60,11 @@ TAUT_FIELDS(Survey, form, noise_std, noise_correlations, surveyed, missing, supp
             frame_is_unknown, unmatched, frame, warnings, placed, contradicted_names, notes,
             has_own_noise, scale_std, rounding_std)
 TAUT_FIELDS(EdgeTurned, edge, stroke, std)
+TAUT_FIELDS(FrequencyRange, lowest, highest)
+TAUT_FIELDS(FrequencyPeak, frequency, std, level, mode)
+TAUT_FIELDS(Fundamental, frequency, std, inharmonicity, misfit, modes, probability)
+TAUT_FIELDS(CableFrequency, peaks, fundamental, message, needs_range, candidates, warnings,
+            searched, duration, resolution, spectrum_step, spectrum)
 
 // gp
 TAUT_FIELDS(gp::Hyperparameters, inverse_length_scale, signal_std, noise_std)

@@ -87,6 +87,7 @@ NB_MODULE(_taut, module) {
     bind_statics(module);
     bind_design(module);
     bind_survey(module);
+    bind_frequency(module);
     bind_sampling(module);
     bind_gp(module);
     bind_identification(module);

@@ -26,12 +26,14 @@ std::string_view first_line(std::string_view text) {
     return text.substr(0, text.find('\n'));
 }
 
-/// At least four words, as a surveyed point has, with at most one comma in each, and that inside.
+/// At least four words, as a surveyed point has, with at most one comma in each, and that inside
+/// and beside no quote.
 bool is_blank_separated_with_decimal_commas(std::string_view line) {
     std::istringstream stream{std::string(line)};
     int words = 0;
     for (std::string word; stream >> word; ++words) {
-        if (word.starts_with(',') || word.ends_with(',') || std::ranges::count(word, ',') > 1) {
+        if (word.starts_with(',') || word.ends_with(',') || std::ranges::count(word, ',') > 1 ||
+            word.find("\",") != std::string::npos || word.find(",\"") != std::string::npos) {
             return false;
         }
     }

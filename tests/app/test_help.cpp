@@ -13,9 +13,9 @@ namespace {
 using namespace taut::test;
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"inspect", "identify",  "plan",   "report", "example",
-                                        "import",  "export",    "form",   "survey", "control",
-                                        "compare", "reproduce", "sample", "train",  "app"};
+const std::vector<std::string> commands{
+    "inspect", "identify",  "plan",    "report",  "example",   "import", "export", "form",
+    "survey",  "frequency", "control", "compare", "reproduce", "sample", "train",  "app"};
 constexpr size_t everyday_commands = 4;
 
 /// Places of words in a text, each of which must be there.

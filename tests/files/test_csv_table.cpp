@@ -36,6 +36,11 @@ TEST(CsvTable, HasItsHeaderAndItsLastColumnOrNot) {
     EXPECT_EQ(whole.number(whole.rows()[0], 2), 0.5);
 }
 
+TEST(CsvTable, OfQuotedTitlesWithBlanksIsSeparatedByCommas) {
+    EXPECT_EQ(first_fields("\"Time (s)\",\"x (m/s^2)\",\"y (m/s^2)\"\n", "a.csv").size(), 3U);
+    EXPECT_EQ(first_fields("\"A 1\" 1,5 2,5 3,5 4,5\n", "a.csv").size(), 5U);
+}
+
 TEST(CsvTable, IsReadByTheNamesInItsHeader) {
     const CsvTable table = force_table("force,more,std,edge\n2,x,3,A\n", Header::by_name);
     EXPECT_EQ(table.text(table.rows()[0], 0), "A");
