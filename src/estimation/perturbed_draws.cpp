@@ -3,6 +3,7 @@
 #include "estimation/perturbed_draws.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -108,6 +109,21 @@ Observations with_drawn_mean(const Observations& observations, RandomNumbers& ra
         }
         result.mean += result.mean_root * error;
         result.mean_root.resize(0, 0);
+    }
+    return result;
+}
+
+/// With the few numbers alone that most of what the prior means have in common depends on: the
+/// determinant takes a solution for each.
+Observations with_leading_means(const Observations& observations) {
+    constexpr Eigen::Index most = 3;
+    Observations result = observations;
+    if (result.mean_root.cols() > most) {
+        const Eigen::VectorXd stds = observations.variance.cwiseSqrt();
+        const Eigen::BDCSVD<Eigen::MatrixXd> svd(
+            stds.cwiseInverse().asDiagonal() * observations.mean_root, Eigen::ComputeThinU);
+        result.mean_root = stds.asDiagonal() * svd.matrixU().leftCols(most) *
+                           svd.singularValues().head(most).asDiagonal();
     }
     return result;
 }
@@ -404,9 +420,10 @@ std::optional<Perturbation::Perturbed> Perturbation::fit_of(RandomNumbers& rando
 /// covariance with half the logarithm of the determinant. Nothing where few of them converge.
 std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_all,
                                                                    const Progress& progress) const {
-    constexpr int samples = 50;  // the mean of a normal number is then known to 0.14
-    constexpr int fewest = 30;
+    constexpr int samples = 40;  // the mean of a normal number is then known to 0.16
+    constexpr int fewest = 25;
     constexpr std::uint32_t other_than_draws = 0x40000000U;
+    const Observations sites = with_leading_means(m_sites);
     std::vector<std::optional<Iterate>> iterates(samples);
     Eigen::VectorXd determinants = Eigen::VectorXd::Zero(samples);
     PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
@@ -421,10 +438,10 @@ std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_al
             if (!found) {
                 return;
             }
-            workspace.last = linearise(model_of(found->is_refitted), found->fit.iterate, m_sites,
+            workspace.last = linearise(model_of(found->is_refitted), found->fit.iterate, sites,
                                        std::move(workspace.last));
             if (workspace.last) {
-                determinants(k) = workspace.last->half_log_determinant(m_sites);
+                determinants(k) = workspace.last->half_log_determinant(sites);
                 iterates[k] = std::move(found->fit.iterate);
             }
         });
@@ -569,13 +586,13 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
     if (pilot.is_unreliable()) {
         return pilot;
     }
-    // A large shift changes the determinant's slope: once more, from there.
-    constexpr double large = 0.3;
+    constexpr double significant = 0.3;
+    constexpr double large = 1.0;  // it changes the determinant's slope: once more, from there
     bool is_moved = false;
     std::optional<Shift> shift = determinant_shift(refit_all, progress);
     for (int k = 0; shift && k < 2; ++k) {
         m_shifted = moved_sites(shift->by);
-        is_moved = is_moved || shift->size > large;
+        is_moved = is_moved || shift->size > significant;
         if (shift->size < large || k == 1) {
             break;
         }

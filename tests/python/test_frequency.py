@@ -18,7 +18,9 @@ def record():
     for mode in (1, 2, 3, 5):
         for start in (0, 11.3, 26.1, 37):
             since = np.maximum(time - start, 0)
-            signal[:, mode % 2] += (time >= start) * np.exp(-0.2 * since) * np.sin(2 * np.pi * 6.2 * mode * since)
+            signal[:, mode % 2] += (
+                (time >= start) * np.exp(-0.2 * since) * np.sin(2 * np.pi * 6.2 * mode * since)
+            )
     return time, signal
 
 

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-VibrationRecord noise(double seconds, std::uint64_t seed = 1, double rate = 200.0) {
+VibrationRecord noise_alone(double seconds, std::uint64_t seed = 1, double rate = 200.0) {
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal(0.0, 0.1);
     return {.rate = rate,
@@ -48,7 +48,7 @@ void add(VibrationRecord& record, double frequency, double amplitude, double dam
 /// Of a stiff string of which these modes are seen.
 VibrationRecord string(double f0, double inharmonicity, const std::vector<int>& modes,
                        double seconds = 60.0, std::uint64_t seed = 1) {
-    VibrationRecord record = noise(seconds, seed);
+    VibrationRecord record = noise_alone(seconds, seed);
     for (const int n : modes) {
         add(record, n * f0 * std::sqrt(1.0 + inharmonicity * n * n), 0.2);
     }
@@ -92,7 +92,7 @@ TEST(CableFrequency, OfASensorInTheMiddleIsNoOctave) {
 
 TEST(CableFrequency, OfNoiseAndDriftIsNone) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        VibrationRecord record = noise(30.0, seed);
+        VibrationRecord record = noise_alone(30.0, seed);
         if (seed % 2 == 0) {
             for (Eigen::Index i = 1; i < record.signals.rows(); ++i) {
                 record.signals(i) += record.signals(i - 1);
@@ -106,7 +106,7 @@ TEST(CableFrequency, OfNoiseAndDriftIsNone) {
 }
 
 TEST(CableFrequency, OfPeaksThatSeveralExplainIsNoneUntilItsRangeIsGiven) {
-    VibrationRecord single = noise(60.0);
+    VibrationRecord single = noise_alone(60.0);
     add(single, 10.0, 0.2);
     EXPECT_THAT(cable_frequency(single).message, HasSubstr("explains 3 peaks"));
     EXPECT_EQ(cable_frequency(single, FrequencyRange{8.0, 12.0}).fundamental->modes,
@@ -127,7 +127,7 @@ TEST(CableFrequency, OfPeaksThatSeveralExplainIsNoneUntilItsRangeIsGiven) {
 }
 
 TEST(CableFrequency, OfTheMainsIsNone) {
-    VibrationRecord hum = noise(60.0, 1, 1000.0);
+    VibrationRecord hum = noise_alone(60.0, 1, 1000.0);
     for (const double frequency : {50.0, 100.0, 150.0, 200.0}) {
         add(hum, frequency, 0.2, 0.0);
     }
@@ -136,7 +136,7 @@ TEST(CableFrequency, OfTheMainsIsNone) {
 }
 
 TEST(CableFrequency, OfTooFewPeriodsIsNone) {
-    VibrationRecord record = noise(12.0);
+    VibrationRecord record = noise_alone(12.0);
     add(record, 2.2, 0.2);
     EXPECT_THAT(cable_frequency(record, FrequencyRange{0.6, 0.8}).message, HasSubstr("periods"));
 }
@@ -151,7 +151,7 @@ TEST(CableFrequency, OfBadArgumentsIsRefused) {
         }
         return "";
     };
-    const VibrationRecord good = noise(10.0);
+    const VibrationRecord good = noise_alone(10.0);
     EXPECT_EQ(words(good), "");
     VibrationRecord bad = good;
     bad.rate = 0.0;
@@ -161,14 +161,14 @@ TEST(CableFrequency, OfBadArgumentsIsRefused) {
     EXPECT_THAT(words(bad), HasSubstr("not finite"));
     bad.signals.setConstant(9.81);
     EXPECT_THAT(words(bad), HasSubstr("constant"));
-    EXPECT_THAT(words(noise(1.0)), HasSubstr("200 samples"));
+    EXPECT_THAT(words(noise_alone(1.0)), HasSubstr("200 samples"));
     EXPECT_THAT(words(good, FrequencyRange{5.0, 4.0}), HasSubstr("the lower first"));
     EXPECT_THAT(words(good, FrequencyRange{0.0, 4.0}), HasSubstr("positive"));
     EXPECT_THAT(words(good, FrequencyRange{1.0, HUGE_VAL}), HasSubstr("range"));
 }
 
 TEST(WelchSpectrum, HasThePowerOfASineAndOfNoise) {
-    VibrationRecord record = noise(100.0);
+    VibrationRecord record = noise_alone(100.0);
     const double noise_density = 2.0 * 0.01 / record.rate;
     const WelchSpectrum of_noise = welch_spectrum(record, 1000);
     EXPECT_NEAR(of_noise.density.mean(), noise_density, 0.03 * noise_density);
