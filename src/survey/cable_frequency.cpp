@@ -165,8 +165,9 @@ CableFrequency cable_frequency(const VibrationRecord& record,
     found.peaks = spectrum_peaks(spectrum, found.duration, found.searched);
     found.spectrum = std::move(spectrum.density);
     // By default also those of too few periods, so that none of them passes as its octave.
-    const FrequencyRange within = range.value_or(
-        FrequencyRange{.lowest = 2.0 / found.duration, .highest = found.searched.highest});
+    const FrequencyRange anywhere{.lowest = 2.0 / found.duration,
+                                  .highest = found.searched.highest};
+    const FrequencyRange within = range.value_or(anywhere);
     if (!found.peaks.empty()) {
         found.candidates = number_modes(found.peaks, within, range.has_value());
     }
@@ -182,6 +183,14 @@ CableFrequency cable_frequency(const VibrationRecord& record,
         found.fundamental = found.candidates.front();
     }
     found.warnings = warnings_of(record, found);
+    if (range && found.fundamental) {
+        const Fundamental likeliest = number_modes(found.peaks, anywhere, false).front();
+        const double f = likeliest.frequency;
+        if (likeliest.probability >= likely && (f < range->lowest || f > range->highest)) {
+            found.warnings.push_back(fmt::format(
+                "the peaks are rather those of a fundamental outside of the range, {}", hertz(f)));
+        }
+    }
     return found;
 }
 

@@ -126,6 +126,14 @@ TEST(CableFrequency, OfPeaksThatSeveralExplainIsNoneUntilItsRangeIsGiven) {
                 0.025);
 }
 
+TEST(CableFrequency, OfARangeThatThePeaksContradictHasAWarning) {
+    const VibrationRecord record = string(6.1, 0.0, {1, 2, 3, 4});
+    EXPECT_TRUE(cable_frequency(record, FrequencyRange{5.0, 7.0}).warnings.empty());
+    const CableFrequency octave = cable_frequency(record, FrequencyRange{2.5, 3.5});
+    ASSERT_EQ(octave.warnings.size(), 1U);
+    EXPECT_THAT(octave.warnings[0], HasSubstr("outside of the range"));
+}
+
 TEST(CableFrequency, OfTheMainsIsNone) {
     VibrationRecord hum = noise_alone(60.0, 1, 1000.0);
     for (const double frequency : {50.0, 100.0, 150.0, 200.0}) {
