@@ -108,6 +108,15 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
 
 namespace {
 
+/// Adds tensions that follow from a file; warns where they are far from those designed.
+void add_found(const CableNet& net, const std::vector<ForceMeasurement>& found,
+               const std::string& file, Forces& forces) {
+    if (const std::string warning = force_unit_warning(net, found, file); !warning.empty()) {
+        warn(file, {warning});
+    }
+    forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());
+}
+
 /// Adds what the natural frequencies say of tensions.
 void add_frequencies(const CableNet& net, const ForceOptions& options, const Points& form,
                      Forces& forces) {
@@ -121,11 +130,7 @@ void add_frequencies(const CableNet& net, const ForceOptions& options, const Poi
             found.push_back(tension_by_frequency(net, form, one, free_length_std));
         }
     });
-    if (const std::string warning = force_unit_warning(net, found, options.frequencies);
-        !warning.empty()) {
-        warn(options.frequencies, {warning});
-    }
-    forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());
+    add_found(net, found, options.frequencies, forces);
 }
 
 /// Adds what the sags say of tensions.
@@ -133,10 +138,9 @@ void add_sags(const CableNet& net, const ForceOptions& options, const Survey& su
               Forces& forces) {
     const std::vector<SagPoint> points =
         parse_sag_points(net, read_table(options.sag), options.sag, survey.rms_noise_std());
-    naming_file(options.sag, [&] {
-        const std::vector<ForceMeasurement> found = tensions_by_sag(net, survey.form, points);
-        forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());
-    });
+    std::vector<ForceMeasurement> found;
+    naming_file(options.sag, [&] { found = tensions_by_sag(net, survey.form, points); });
+    add_found(net, found, options.sag, forces);
 }
 
 }  // namespace

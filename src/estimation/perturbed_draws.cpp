@@ -217,6 +217,7 @@ private:
     [[nodiscard]] std::optional<Shift> determinant_shift(bool refit_all,
                                                          const Progress& progress) const;
     [[nodiscard]] Observations moved_sites(const Iterate& shift) const;
+    [[nodiscard]] Eigen::VectorXd own_lengths(Eigen::VectorXd deviations, bool refit_all) const;
     /// m_I, LawBlur::length_variances() [m2]
     [[nodiscard]] Eigen::VectorXd blur_variances(bool refit_all) const {
         const LawBlur& blur = refit_all ? m_refit_model.blur : m_model.blur;
@@ -416,8 +417,8 @@ std::optional<Perturbation::Perturbed> Perturbation::fit_of(RandomNumbers& rando
                : std::nullopt;
 }
 
-/// (determinant): by how much fits to perturbed observations lie off the posterior, minus their
-/// covariance with half the logarithm of the determinant. Nothing where few of them converge.
+/// (determinant): by how much fits to perturbed observations lie off the posterior along the mean
+/// tension. Nothing where few of them converge, and where the determinant does not depend on it.
 std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_all,
                                                                    const Progress& progress) const {
     constexpr int samples = 40;  // the mean of a normal number is then known to 0.16
@@ -426,6 +427,7 @@ std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_al
     const Observations sites = with_leading_means(m_sites);
     std::vector<std::optional<Iterate>> iterates(samples);
     Eigen::VectorXd determinants = Eigen::VectorXd::Zero(samples);
+    Eigen::VectorXd mean_tensions = Eigen::VectorXd::Zero(samples);
     PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
     parallel_for(0, samples, [&](int k) {
         if (progress.stopped()) {
@@ -442,6 +444,7 @@ std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_al
                                        std::move(workspace.last));
             if (workspace.last) {
                 determinants(k) = workspace.last->half_log_determinant(sites);
+                mean_tensions(k) = found->fit.tensions.mean();
                 iterates[k] = std::move(found->fit.iterate);
             }
         });
@@ -450,19 +453,47 @@ std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_al
     if (count < fewest) {
         return std::nullopt;
     }
-    const double mean = determinants.sum() / static_cast<double>(count);
-    Shift result{.by = nominal_iterate(m_net, m_model.common.count()), .size = 0.0};
+    Eigen::Array<bool, Eigen::Dynamic, 1> found(samples);
+    for (int k = 0; k < samples; ++k) {
+        found(k) = iterates[k].has_value();
+    }
+    const auto less_mean = [&](const Eigen::VectorXd& values) {
+        const double mean = values.sum() / static_cast<double>(count);
+        return Eigen::VectorXd(found.select(values.array() - mean, 0.0));
+    };
+    const Eigen::VectorXd tension = less_mean(mean_tensions);
+    const Eigen::VectorXd determinant = less_mean(determinants);
+    const double along = tension.dot(determinant);
+    const double correlation = along / (tension.norm() * determinant.norm());
+    constexpr double by_chance = 0.4;  // of so few samples, at most
+    if (!(std::abs(correlation) > by_chance)) {
+        return std::nullopt;
+    }
+    // What of it depends on the prestress, along which all small changes add up. All else of so few
+    // samples is noise.
+    const Eigen::VectorXd weights =
+        along / tension.squaredNorm() / static_cast<double>(count - 1) * tension;
+    Shift result{.by = nominal_iterate(m_net, m_model.common.count()),
+                 .size = std::abs(correlation) * determinant.norm() /
+                         std::sqrt(static_cast<double>(count - 1))};
     result.by.form.setZero();
     for (int k = 0; k < samples; ++k) {
         if (iterates[k]) {
-            const double weight = (determinants(k) - mean) / static_cast<double>(count - 1);
             // From the fit: the mean of all cancels.
-            result.by = result.by.moved(iterates[k]->moved(m_fitted, -1.0), -weight);
-            result.size += weight * (determinants(k) - mean);
+            result.by = result.by.moved(iterates[k]->moved(m_fitted, -1.0), -weights(k));
         }
     }
-    result.size = std::sqrt(result.size);
     return result;
+}
+
+/// What of deviations are lengths, and not the stiffness of an edge, (own-stiffness) (m_I).
+Eigen::VectorXd Perturbation::own_lengths(Eigen::VectorXd deviations, bool refit_all) const {
+    const Eigen::VectorXd& of_stiffness = m_model.blur.stiffness;
+    if (of_stiffness.size() > 0) {
+        const Eigen::VectorXd all = m_sites.variance + blur_variances(refit_all);
+        deviations.array() *= 1.0 - of_stiffness.array() / all.array();
+    }
+    return deviations;
 }
 
 /// All that is observed and assumed, moved so that fits move by this, to first order.
@@ -586,13 +617,17 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
     if (pilot.is_unreliable()) {
         return pilot;
     }
-    constexpr double significant = 0.3;
     constexpr double large = 1.0;  // it changes the determinant's slope: once more, from there
-    bool is_moved = false;
-    std::optional<Shift> shift = determinant_shift(refit_all, progress);
+    Eigen::VectorXd length_shift;
+    // Only where loads at nodes are uncertain: by measurement, docs/theory.md.
+    const bool are_loads_uncertain = m_sites.load_variance.maxCoeff() > 0.0;
+    std::optional<Shift> shift =
+        are_loads_uncertain ? determinant_shift(refit_all, progress) : std::nullopt;
     for (int k = 0; shift && k < 2; ++k) {
         m_shifted = moved_sites(shift->by);
-        is_moved = is_moved || shift->size > significant;
+        if (shift->size > large || k == 1) {
+            length_shift = own_lengths(shift->by.deviations, refit_all);
+        }
         if (shift->size < large || k == 1) {
             break;
         }
@@ -601,7 +636,7 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
     draws.clear();
     add_draws(draws, count, refit_all, progress);
     PerturbedDraws result = collected(draws, refit_all);
-    result.is_moved = is_moved;
+    result.length_shift = std::move(length_shift);
     return result;
 }
 

@@ -23,7 +23,9 @@ struct PerturbedDraws {
     /// Deviations from the net besides lengths, one a draw; empty where there can be none.
     std::vector<ModelPerturbation> perturbations;
     bool is_refitted = false;  ///< each by a fit of its own, not by the linearisation at the fit
-    bool is_moved = false;     ///< far off the fit, (determinant): estimates are theirs
+    /// By how much all of them are moved off the fit, (determinant), where that is far (m_I): the
+    /// estimates of the lengths must be, too; empty: not far [m].
+    Eigen::VectorXd length_shift = {};
     /// Root mean square distance of the forms in equilibrium from those drawn, over surveyed
     /// coordinates and draws, in standard deviations of the survey; force measurements likewise.
     double departure = 0.0;

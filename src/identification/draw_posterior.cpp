@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,6 +149,24 @@ void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) 
     }
 }
 
+/// Moves the estimates of the lengths, within the bounds of their priors.
+void move_lengths(Identification& result, const Eigen::VectorXd& shift,
+                  const std::vector<LengthPrior>& priors) {
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        IdentifiedEdge& edge = result.edges[i];
+        if (edge.status == EdgeStatus::slack) {
+            continue;
+        }
+        const double bound = priors[i].kind == LengthPrior::Kind::uniform
+                                 ? priors[i].scale
+                                 : std::numeric_limits<double>::infinity();
+        for (double* const value : {&edge.length_deviation, &edge.lower, &edge.upper}) {
+            *value = std::clamp(*value + shift(static_cast<Eigen::Index>(i)),
+                                std::min(-bound, *value), std::max(bound, *value));
+        }
+    }
+}
+
 /// Replaces the linearised covariances of the free nodes' places.
 void set_drawn_covariances(Identification& result, const CableNet& net) {
     // Fewer draws show an axis of an ellipse to an eighth at best.
@@ -207,10 +226,10 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
                          .tensions = std::move(drawn.tensions),
                          .seed = settings.seed,
                          .how = drawn.is_refitted ? "a fit each to a perturbed survey"
-                                : drawn.is_moved
+                                : drawn.length_shift.size() > 0
                                     ? "perturbation of the fit, moved to the posterior mean"
                                     : "perturbation of the fit",
-                         .is_refitted = drawn.is_refitted || drawn.is_moved,
+                         .is_refitted = drawn.is_refitted,
                          .reason = std::move(reason)};
     if (has_all_lengths) {
         draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
@@ -222,6 +241,12 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         result.form_covariance.clear();
         set_open_edges(result, priors, fitted.model().slack);
         return;  // no interval rather than a wrong one
+    }
+    if (drawn.length_shift.size() > 0) {
+        move_lengths(
+            result,
+            has_all_lengths ? drawn.length_shift(net.interior_edges()).eval() : drawn.length_shift,
+            priors);
     }
     Eigen::VectorXd prior_stds(std::ssize(priors));
     std::ranges::transform(priors, prior_stds.begin(), &LengthPrior::std);

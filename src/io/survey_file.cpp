@@ -48,8 +48,12 @@ bool starts_with_foreign_header(const std::string& text, const std::string& file
                    std::ranges::none_of(field, is_letter);
         };
         constexpr std::array own{"id", "ID", "x", "X"};
+        const auto has_unit = [](const std::string& field) {
+            return field.find_first_of("[(") != std::string::npos;
+        };
         return !first.empty() && std::ranges::none_of(first, may_be_number) &&
-               std::ranges::find(own, first.front()) == own.end();
+               (std::ranges::find(own, first.front()) == own.end() ||
+                std::ranges::any_of(first, has_unit));
     } catch (const InputError&) {
         return true;
     }

@@ -171,6 +171,7 @@ def full_identification(folder, net):
             trust=trust,
             findings=findings,
         )
+        epoch["load"] = 1500.0
         epoch["changes"] = [{**edge, "change": 0.002, "std": 0.0003, "statistic": 7.0}]
     result.update(
         date="2026-11-21 06:30 UTC",
@@ -205,7 +206,9 @@ def full_identification(folder, net):
     ]
     result["forces"] = {
         "measurements": 2,
-        "outliers": [{**edge, "measured": 5000.0, "expected": 4000.0, "statistic": 20.0}],
+        "outliers": [{
+            **edge, "measured": 5000.0, "expected": 4000.0, "statistic": 20.0, "source": "frequency", "mode": 2
+        }],
         "bias": {"part": 0.2, "std": 0.01},
         "contradicted_taut": [inner[1]],
         "contradicted_slack": [inner[2]],
