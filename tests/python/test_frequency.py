@@ -32,7 +32,7 @@ def test_a_record_has_its_fundamental(record):
     assert found.fundamental_std < 0.03
     assert found.inharmonicity < 1e-3
     assert [peak["mode"] for peak in found.peaks] == [1, 2, 3, 5]
-    assert f"{found.fundamental:.3g}" in repr(found)
+    assert f"{found.fundamental:.4f}" in repr(found)
     assert pickle.loads(pickle.dumps(found)).fundamental == found.fundamental
     assert found.to_dict()["candidates"][0]["probability"] > 0.95
 
