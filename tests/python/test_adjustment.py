@@ -283,7 +283,14 @@ def test_what_cannot_be_planned_is_refused(found, settings, words):
 
 
 @pytest.mark.parametrize(
-    "settings", [{"tension": 3.0}, {"target_tension": {0: "x"}}, {"reaction": "much"}, {"load_cases": 1}, {"stroke": {0: 1.0}}]
+    "settings",
+    [
+        {"tension": 3.0},
+        {"target_tension": {0: "x"}},
+        {"reaction": "much"},
+        {"load_cases": 1},
+        {"stroke": {0: 1.0}},
+    ],
 )
 def test_what_is_of_no_such_kind_is_refused_by_its_name(found, settings):
     [name] = settings

@@ -60,7 +60,12 @@ def test_a_load_that_hung_on_the_net_at_one_survey(net, survey, form, built, tmp
     loads = np.zeros((len(net.nodes), 3))
     loads[net.free_nodes[::4], 2] = -200.0
     loaded = taut.CableNet(
-        built.nodes, net.supports, net.edges, net.axial_stiffness, built.unstressed_lengths, loads=loads
+        built.nodes,
+        net.supports,
+        net.edges,
+        net.axial_stiffness,
+        built.unstressed_lengths,
+        loads=loads,
     )
     under = taut.solve_equilibrium(loaded).form
     second = taut.read_survey(net, taut.simulate_survey(net, under, noise=0.5e-3, seed=9))
@@ -74,4 +79,6 @@ def test_a_load_that_hung_on_the_net_at_one_survey(net, survey, form, built, tmp
     both.save(tmp_path / "both.json")
     assert json.loads((tmp_path / "both.json").read_text())["epochs"][1]["load"] > 0.0
     with pytest.raises(ValueError, match="none since"):
-        taut.identify(net, survey, epochs=[(second, [(int(net.adjustable_edges[0]), 1e-3, 0.0)], loads)])
+        taut.identify(
+            net, survey, epochs=[(second, [(int(net.adjustable_edges[0]), 1e-3, 0.0)], loads)]
+        )
