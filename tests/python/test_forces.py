@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Guards against evidence of force that Python misreads: frequencies, sags, loads hung on the net."""
+"""Guards against evidence of force that Python misreads: frequencies, sags, known loads."""
 
 import json
 
