@@ -34,7 +34,8 @@ std::vector<FrequencyMeasurement> parse_frequencies(const CableNet& net, std::st
         }
         one.std = table.has(3) ? table.number(row, 3) : relative_std * one.frequency;
         if (!(one.std > 0.0)) {
-            table.refuse(row, 3, "a positive one");
+            table.has(3) ? table.refuse(row, 3, "a positive one")
+                         : table.fail(row, "the frequency has no positive standard deviation");
         }
         result.push_back(one);
     }

@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-using Titles = std::vector<std::string>;
+using RecordTitles = std::vector<std::string>;
 
 bool is_time_title(const std::string& title) {
     return title.find("time") != std::string::npos || title.find("zeit") != std::string::npos ||
@@ -26,7 +26,7 @@ bool is_time_title(const std::string& title) {
 }
 
 /// Of the first column where no title says another.
-size_t time_column(const Titles& titles) {
+size_t time_column(const RecordTitles& titles) {
     auto found = std::ranges::find_if(titles, [](const std::string& title) {
         return title.find("elapsed") != std::string::npos;
     });
@@ -45,7 +45,7 @@ double time_unit(const std::string& title) {
 
 /// The numbers of a file by rows, and what stands above them.
 struct RecordTable {
-    Titles titles;  ///< in lower case; none where they are not one for each column
+    RecordTitles titles;  ///< in lower case; none where they are not one for each column
     size_t columns = 0;
     std::vector<double> numbers;
     std::vector<int> lines;  ///< of each row

@@ -28,6 +28,12 @@ TEST(FrequenciesCsv, AreOfTheFirstModeAndHaveAPartAsDeviationUnlessGiven) {
     EXPECT_EQ(all[0].std, 0.1);
 }
 
+TEST(FrequenciesCsv, WithoutAnyStandardDeviationAreRefused) {
+    EXPECT_THAT(
+        input_error_of([] { return parse_frequencies(two_node_net(), "ab,12\n", "f.csv", 0.0); }),
+        testing::StartsWith("f.csv:1: the frequency has no positive standard deviation"));
+}
+
 class RefusedFrequencies : public testing::TestWithParam<BadText> {};
 
 TEST_P(RefusedFrequencies, WithLineAndRule) {
