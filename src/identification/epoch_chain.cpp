@@ -13,6 +13,7 @@
 
 #include "estimation/hypotheses.hpp"
 #include "identification/parameter_estimates.hpp"
+#include "net/weight_as_load.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -70,6 +71,11 @@ CableNet net_at_survey(const CableNet& net, std::span<const Epoch> epochs, size_
         return net;
     }
     CableNetData data = turned_net(net, turned).data();
+    if (net.data().mass.size() > 0) {  // the same weight of edges of other lengths
+        data.mass = net.data().mass.cwiseProduct(
+            net.unstressed_lengths().cwiseQuotient(data.unstressed_lengths));
+        data.loads -= self_weight(net);
+    }
     if (epochs[k].is_loaded()) {
         data.loads = data.loads.cols() > 0 ? Points(data.loads + epochs[k].loads) : epochs[k].loads;
     }

@@ -573,6 +573,21 @@ TEST(Epochs, AKnownLoadShowsTheStiffness) {
     EXPECT_LT((loaded.predicted.form - job.epochs[0].survey.form).cwiseAbs().maxCoeff(), 5e-3);
 }
 
+// Turns and loads leave edges their mass: it may be uncertain, and frequencies need it.
+TEST(Epochs, KeepTheMassesOfTheNet) {
+    CableNetData data = net().data();
+    data.mass = Eigen::VectorXd::Constant(std::ssize(data.edges), 0.5);
+    const CableNet heavy{CableNetData(data)};
+    const std::vector<EdgeTurned> turned = some_turns(4);
+    const Job job = job_of(4, turned, turned, {}, heavy);
+    IdentifyOptions options = with_prior();
+    options.uncertain = {parse_uncertain_parameter("mass:20%")};
+    const Identification result = identify_epochs(heavy, job.epochs, options);
+    ASSERT_EQ(result.status, IdentificationStatus::converged) << result.message;
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
+    EXPECT_EQ(result.uncertain[0].parameter.name(), "mass");
+}
+
 TEST(Epochs, AKnownLoadThatIsNotGivenIsNamed) {
     CableNetData data = net().data();
     data.loads = Points::Zero(3, net().node_count());
