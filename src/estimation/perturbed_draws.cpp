@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "estimation/feasible_descent.hpp"
+#include "estimation/prestress_shift.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -210,12 +211,9 @@ private:
     [[nodiscard]] const StaticsModel& model_of(bool refit) const {
         return refit ? m_refit_model : m_model;
     }
-    struct Shift {
-        Iterate by;
-        double size;  ///< standard deviation of half the logarithm of the determinant
-    };
-    [[nodiscard]] std::optional<Shift> determinant_shift(bool refit_all,
-                                                         const Progress& progress) const;
+    [[nodiscard]] std::vector<PerturbedFit> fits_with_determinants(bool refit_all,
+                                                                   const Progress& progress) const;
+    [[nodiscard]] Eigen::VectorXd move_sites(bool refit_all, const Progress& progress);
     [[nodiscard]] Observations moved_sites(const Iterate& shift) const;
     [[nodiscard]] Eigen::VectorXd own_lengths(Eigen::VectorXd deviations, bool refit_all) const;
     /// m_I, LawBlur::length_variances() [m2]
@@ -246,7 +244,7 @@ private:
     const Iterate& m_fitted;
     StaticsModel m_refit_model;  ///< no edge carries pressure
     Iterate m_all_taut;
-    Observations m_shifted;  ///< the sites, moved by determinant_shift()
+    Observations m_shifted;  ///< the sites, moved by move_sites()
     std::uint64_t m_seed;
 };
 
@@ -417,17 +415,13 @@ std::optional<Perturbation::Perturbed> Perturbation::fit_of(RandomNumbers& rando
                : std::nullopt;
 }
 
-/// (determinant): by how much fits to perturbed observations lie off the posterior along the mean
-/// tension. Nothing where few of them converge, and where the determinant does not depend on it.
-std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_all,
-                                                                   const Progress& progress) const {
+/// (determinant): further fits than the draws.
+std::vector<PerturbedFit> Perturbation::fits_with_determinants(bool refit_all,
+                                                               const Progress& progress) const {
     constexpr int samples = 40;  // the mean of a normal number is then known to 0.16
-    constexpr int fewest = 25;
     constexpr std::uint32_t other_than_draws = 0x40000000U;
     const Observations sites = with_leading_means(m_sites);
-    std::vector<std::optional<Iterate>> iterates(samples);
-    Eigen::VectorXd determinants = Eigen::VectorXd::Zero(samples);
-    Eigen::VectorXd mean_tensions = Eigen::VectorXd::Zero(samples);
+    std::vector<std::optional<PerturbedFit>> fits(samples);
     PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
     parallel_for(0, samples, [&](int k) {
         if (progress.stopped()) {
@@ -443,47 +437,39 @@ std::optional<Perturbation::Shift> Perturbation::determinant_shift(bool refit_al
             workspace.last = linearise(model_of(found->is_refitted), found->fit.iterate, sites,
                                        std::move(workspace.last));
             if (workspace.last) {
-                determinants(k) = workspace.last->half_log_determinant(sites);
-                mean_tensions(k) = found->fit.tensions.mean();
-                iterates[k] = std::move(found->fit.iterate);
+                fits[k] = {.iterate = std::move(found->fit.iterate),
+                           .mean_tension = found->fit.tensions.mean(),
+                           .half_log_determinant = workspace.last->half_log_determinant(sites)};
             }
         });
     });
-    const auto count = std::ranges::count_if(iterates, &std::optional<Iterate>::has_value);
-    if (count < fewest) {
-        return std::nullopt;
-    }
-    Eigen::Array<bool, Eigen::Dynamic, 1> found(samples);
-    for (int k = 0; k < samples; ++k) {
-        found(k) = iterates[k].has_value();
-    }
-    const auto less_mean = [&](const Eigen::VectorXd& values) {
-        const double mean = values.sum() / static_cast<double>(count);
-        return Eigen::VectorXd(found.select(values.array() - mean, 0.0));
-    };
-    const Eigen::VectorXd tension = less_mean(mean_tensions);
-    const Eigen::VectorXd determinant = less_mean(determinants);
-    const double along = tension.dot(determinant);
-    const double correlation = along / (tension.norm() * determinant.norm());
-    constexpr double by_chance = 0.4;  // of so few samples, at most
-    if (!(std::abs(correlation) > by_chance)) {
-        return std::nullopt;
-    }
-    // What of it depends on the prestress, along which all small changes add up. All else of so few
-    // samples is noise.
-    const Eigen::VectorXd weights =
-        along / tension.squaredNorm() / static_cast<double>(count - 1) * tension;
-    Shift result{.by = nominal_iterate(m_net, m_model.common.count()),
-                 .size = std::abs(correlation) * determinant.norm() /
-                         std::sqrt(static_cast<double>(count - 1))};
-    result.by.form.setZero();
-    for (int k = 0; k < samples; ++k) {
-        if (iterates[k]) {
-            // From the fit: the mean of all cancels.
-            result.by = result.by.moved(iterates[k]->moved(m_fitted, -1.0), -weights(k));
+    std::vector<PerturbedFit> result;
+    for (auto& fit : fits) {
+        if (fit) {
+            result.push_back(*std::move(fit));
         }
     }
     return result;
+}
+
+/// (determinant)
+/// @return by how much the estimates of the lengths must move, too (m_I); empty: not at all
+Eigen::VectorXd Perturbation::move_sites(bool refit_all, const Progress& progress) {
+    constexpr double large = 1.0;  // it changes the determinant's slope: once more, from there
+    const auto shift = [&] { return prestress_shift(fits_with_determinants(refit_all, progress)); };
+    std::optional<PrestressShift> found = shift();
+    if (!found) {
+        return {};
+    }
+    m_shifted = moved_sites(found->by);
+    if (found->size < large) {
+        return {};
+    }
+    if (std::optional<PrestressShift> again = shift()) {
+        found = std::move(again);
+        m_shifted = moved_sites(found->by);
+    }
+    return own_lengths(std::move(found->by.deviations), refit_all);
 }
 
 /// What of deviations are lengths, and not the stiffness of an edge, (own-stiffness) (m_I).
@@ -617,23 +603,12 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
     if (pilot.is_unreliable()) {
         return pilot;
     }
-    constexpr double large = 1.0;  // it changes the determinant's slope: once more, from there
     Eigen::VectorXd length_shift;
     // Only where loads at nodes are uncertain: by measurement, docs/theory.md.
-    const bool are_loads_uncertain = m_sites.load_variance.maxCoeff() > 0.0;
-    std::optional<Shift> shift =
-        are_loads_uncertain ? determinant_shift(refit_all, progress) : std::nullopt;
-    for (int k = 0; shift && k < 2; ++k) {
-        m_shifted = moved_sites(shift->by);
-        if (shift->size > large || k == 1) {
-            length_shift = own_lengths(shift->by.deviations, refit_all);
-        }
-        if (shift->size < large || k == 1) {
-            break;
-        }
-        shift = determinant_shift(refit_all, progress);
+    if (m_sites.load_variance.maxCoeff() > 0.0) {
+        length_shift = move_sites(refit_all, progress);
+        draws.clear();
     }
-    draws.clear();
     add_draws(draws, count, refit_all, progress);
     PerturbedDraws result = collected(draws, refit_all);
     result.length_shift = std::move(length_shift);
