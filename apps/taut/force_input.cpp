@@ -27,8 +27,8 @@ const std::string uncertain_text =
     "What is uncertain besides the lengths, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
     "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, "
     "loads:20N (of each node), loads:10% (one factor), forces:1% (one of all load cells), mass:3% "
-    "(one factor); GROUP is a group of edges of the net. May "
-    "be repeated";
+    "(one factor), test-loads:2% (of --epoch); GROUP is a group of edges of the net. May be "
+    "repeated";
 
 ForceFormat format_of(const ForceOptions& options) {
     ForceFormat format{.unit = options.force_unit == "kN" ? 1e3 : 1.0};
@@ -108,19 +108,32 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
 
 namespace {
 
-/// Adds tensions that follow from a file; warns where they are far from those designed.
-void add_found(const CableNet& net, const std::vector<ForceMeasurement>& found,
-               const std::string& file, Forces& forces) {
+/// Adds measurements of a file; warns where they are far from those designed.
+void add_measurements(const CableNet& net, const std::vector<ForceMeasurement>& found,
+                      const std::string& file, Forces& forces) {
     if (const std::string warning = force_unit_warning(net, found, file); !warning.empty()) {
         warn(file, {warning});
     }
     forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());
+    naming_file(file, [&] { check_forces(net, forces); });
 }
 
-/// Adds what the natural frequencies say of tensions.
+void add_cells(const CableNet& net, const ForceOptions& options, Forces& forces) {
+    add_measurements(net,
+                     parse_force_measurements(net, read_table(options.forces), options.forces,
+                                              format_of(options)),
+                     options.forces, forces);
+}
+
+/// What the natural frequencies say of tensions.
 void add_frequencies(const CableNet& net, const ForceOptions& options, const Points& form,
                      Forces& forces) {
     const double part = parse_part(options.frequency_noise);
+    if (!(part > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("--frequency-noise is '{}', expected a standard deviation above 0",
+                        options.frequency_noise));
+    }
     const double free_length_std = parse_length(options.free_length_std);
     const std::vector<FrequencyMeasurement> measured =
         parse_frequencies(net, read_table(options.frequencies), options.frequencies, part);
@@ -130,17 +143,17 @@ void add_frequencies(const CableNet& net, const ForceOptions& options, const Poi
             found.push_back(tension_by_frequency(net, form, one, free_length_std));
         }
     });
-    add_found(net, found, options.frequencies, forces);
+    add_measurements(net, found, options.frequencies, forces);
 }
 
-/// Adds what the sags say of tensions.
+/// What the sags say of tensions.
 void add_sags(const CableNet& net, const ForceOptions& options, const Survey& survey,
               Forces& forces) {
     const std::vector<SagPoint> points =
         parse_sag_points(net, read_table(options.sag), options.sag, survey.rms_noise_std());
     std::vector<ForceMeasurement> found;
     naming_file(options.sag, [&] { found = tensions_by_sag(net, survey.form, points); });
-    add_found(net, found, options.sag, forces);
+    add_measurements(net, found, options.sag, forces);
 }
 
 }  // namespace
@@ -148,13 +161,7 @@ void add_sags(const CableNet& net, const ForceOptions& options, const Survey& su
 Forces read_forces(const CableNet& net, const ForceOptions& options, const Survey& survey) {
     Forces forces;
     if (!options.forces.empty()) {
-        forces.measurements = parse_force_measurements(net, read_table(options.forces),
-                                                       options.forces, format_of(options));
-        if (const std::string warning =
-                force_unit_warning(net, forces.measurements, options.forces);
-            !warning.empty()) {
-            warn(options.forces, {warning});
-        }
+        add_cells(net, options, forces);
     }
     if (!options.frequencies.empty()) {
         add_frequencies(net, options, survey.form, forces);
@@ -171,10 +178,7 @@ Forces read_forces(const CableNet& net, const ForceOptions& options, const Surve
     } else if (!options.taut.empty()) {
         forces.taut = read_edge_list(net, options.taut);
     }
-    const std::string& measured = !options.forces.empty()        ? options.forces
-                                  : !options.frequencies.empty() ? options.frequencies
-                                                                 : options.sag;
-    naming_file(options.slack.empty() ? measured : options.slack,
+    naming_file(options.slack.empty() ? options.forces : options.slack,
                 [&] { check_forces(net, forces); });
     return forces;
 }
@@ -184,14 +188,13 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
         return {};
     }
     const std::string text = read_table(options.forces);
+    Forces forces;
     if (!is_edge_list(text, options.forces)) {
-        Survey as_designed;
-        as_designed.form = net.nodes();
-        return read_forces(net, options, as_designed);
+        add_cells(net, options, forces);
+        return forces;
     }
     const ForceFormat format = format_of(options);
     const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
-    Forces forces;
     for (const int edge : parse_edge_list(net, text, options.forces)) {
         if (!(designed(edge) > 0.0)) {
             throw InputError(options.forces, "",

@@ -342,7 +342,7 @@ void bind_result(nb::module_& module) {
             "value: None where it is to be chosen), reason, and what to do next.")
         .def_prop_ro(
             "epochs", &epochs_of,
-            "Of each survey, where epochs were given: surveyed, turned, outliers, "
+            "Of each survey, where epochs were given: surveyed, turned, load, outliers, "
             "boundary_outliers, frame_offset, noise_ratio and noise_scale as here; change_ratio of "
             "the lengths over what both surveys let expect, and change_limit that chance exceeds "
             "once in a thousand; changes of single lengths [m]; excess_actuator_std [m]; "

@@ -401,21 +401,15 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     if (options.assume_site) {
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
+        KnownForces forces = measured_by(options.forces);
+        forces.by_loads = std::ranges::any_of(epochs, &Epoch::is_loaded);
         std::vector<UncertainParameter> uncertain =
-            with_site_assumptions(net, options.uncertain, measured_by(options.forces));
+            with_site_assumptions(net, options.uncertain, forces);
         // How far turns differ from those given the surveys show: the chain estimates it.
         std::erase_if(uncertain, [&](const UncertainParameter& one) {
             return one.kind == Kind::adjustable &&
                    std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
-        constexpr double of_test_loads = 0.02;
-        const auto is_of_test_loads = [](const UncertainParameter& one) {
-            return one.kind == Kind::test_loads;
-        };
-        if (std::ranges::any_of(epochs, &Epoch::is_loaded) &&
-            std::ranges::none_of(uncertain, is_of_test_loads)) {
-            uncertain.push_back({.kind = Kind::test_loads, .std = of_test_loads, .group = {}});
-        }
         on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         Identification result = identify_epochs(net, epochs, on_site, progress);
         std::vector<UncertainParameter> not_assumed = options.uncertain;

@@ -452,7 +452,7 @@ void check_model(const CableNet& net, const LengthModel& model,
     }
 }
 
-MeasuredForces measured_by(const Forces& forces) {
+KnownForces measured_by(const Forces& forces) {
     const auto any = [&](bool by_mass) {
         return std::ranges::any_of(forces.measurements, [by_mass](const ForceMeasurement& one) {
             return one.is_by_mass() == by_mass;

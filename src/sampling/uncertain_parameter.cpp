@@ -251,7 +251,7 @@ void check_uncertain_parameters(const CableNet& net,
 
 std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
                                                       std::vector<UncertainParameter> given,
-                                                      MeasuredForces forces) {
+                                                      KnownForces forces) {
     constexpr double common_stiffness = 0.05;
     constexpr double stiffness_of_each = 0.02;
     constexpr double temperature = 5.0;  // [K]
@@ -260,6 +260,7 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     constexpr double most_of_length = 0.1;
     constexpr double of_cells = 0.01;
     constexpr double of_mass = 0.03;
+    constexpr double of_test_loads = 0.02;
     const std::vector<UncertainParameter> before = given;
     const auto assume = [&](Kind kind, double std) {
         const auto is_same = [kind](const UncertainParameter& one) {
@@ -282,6 +283,7 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
     assume(Kind::forces, forces.by_cells ? of_cells : 0.0);
     assume(Kind::mass, forces.by_mass ? of_mass : 0.0);
+    assume(Kind::test_loads, forces.by_loads ? of_test_loads : 0.0);
     return given;
 }
 

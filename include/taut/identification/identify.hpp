@@ -84,7 +84,7 @@ struct IdentifyOptions {
 TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 
 /// What these tensions were measured by, for with_site_assumptions().
-[[nodiscard]] TAUT_CORE_EXPORT MeasuredForces measured_by(const Forces& forces);
+[[nodiscard]] TAUT_CORE_EXPORT KnownForces measured_by(const Forces& forces);
 
 /// From one survey of the form to all interior edges' unstressed lengths, with standard deviations
 /// and 95 % intervals, and to the form that follows.

@@ -61,20 +61,22 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
                                                  const std::vector<UncertainParameter>& uncertain);
 
-/// What tensions were measured by.
-struct MeasuredForces {
+/// What is known of forces.
+struct KnownForces {
     bool by_cells = false;  ///< load cells or tension meters
     bool by_mass = false;   ///< frequencies or sags, which need the mass of a cable
+    bool by_loads = false;  ///< known loads of a survey
 };
 
 /// Adds the default assumptions for a site: stiffness 5 % in common and 2 % of each edge; 5 K where
 /// edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm. Lengths and places at
 /// most a tenth of the shortest edge concerned. Of forces, where measured: 1 % in common of load
-/// cells; where tensions follow from frequencies or sags, 3 % of the mass.
+/// cells; where tensions follow from frequencies or sags, 3 % of the mass; of known
+/// loads that hung on the net at one survey, 2 %.
 /// @param given takes precedence: nothing is assumed of a parameter with a name in it
 /// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(
-    const CableNet& net, std::vector<UncertainParameter> given, MeasuredForces forces = {});
+    const CableNet& net, std::vector<UncertainParameter> given, KnownForces forces = {});
 
 /// The edges that a stiffness or temperature applies to, ascending: those of its group, or all.
 /// @throws std::out_of_range for a group that the net does not have
