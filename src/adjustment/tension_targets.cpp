@@ -90,6 +90,7 @@ std::vector<TensionTarget> tension_targets_of(const CableNet& net,
         }
     }
     std::vector<TensionTarget> targets;
+    targets.reserve(by_edge.size());
     for (const auto& [edge, ranked] : by_edge) {
         targets.push_back(ranked.second);
     }
