@@ -31,6 +31,7 @@ struct InspectOptions : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string prior = "uniform:5mm";
     UncertainOptions uncertain;
+    SuggestionOptions suggestions;
 };
 
 struct Range {
@@ -244,8 +245,8 @@ void run(const InspectOptions& options) {
     std::optional<PredictedSurvey> precision;
     if (!options.survey.empty()) {
         precision = precision_of(net, inspection.equilibrium, options, prior,
-                                 read_planned_forces(net, options), options.uncertain, options.net,
-                                 options.json);
+                                 read_planned_forces(net, options), options.uncertain,
+                                 options.suggestions, options.net, options.json);
     }
     if (precision && !options.names.empty()) {
         write_file(options.names, survey_names_csv(net, precision->survey));
@@ -272,7 +273,8 @@ void add_inspect(CLI::App& program) {
         program, "inspect", "Check a net, or predict the precision of a survey before it is made",
         "  taut inspect net.json\n"
         "  taut inspect net.json --survey targets.txt --noise 0.5mm\n"
-        "  taut inspect net.json --survey targets.txt --noise 0.5mm --forces cells.txt",
+        "  taut inspect net.json --survey targets.txt --noise 0.5mm --forces cells.txt\n"
+        "  taut inspect net.json --survey targets.txt --noise 0.5mm --suggest --cost load:5",
         *options);
     command.add_option("NET", options->net, "Net file")->required();
     CLI::Option* const survey =
@@ -292,6 +294,9 @@ void add_inspect(CLI::App& program) {
         option->needs(survey);
     }
     add_uncertain_option(command, options->uncertain, assumes_site)->needs(survey);
+    for (CLI::Option* option : add_suggestion_options(command, options->suggestions)) {
+        option->needs(survey);
+    }
     set_action(command, options, run);
 }
 

@@ -311,6 +311,15 @@ void print_order(const PlanRecord& record) {
         say("  probability that no step breaks a limit: {:.1f} % (required: {:g} %)\n",
             100.0 * order.safe_probability, 100.0 * record.turns->options.confidence);
     }
+    int first = 1;
+    for (const StageEnd& stage : order.stages) {
+        say("  stage {}, {:g} % of the strokes: steps {} to {}, then tensions of {:.3g} to {:.3g} "
+            "kN; no "
+            "limit broken until then: {:.1f} %\n",
+            stage.name, 100.0 * stage.part, first, stage.step + 1, 1e-3 * stage.least_tension,
+            1e-3 * stage.most_tension, 100.0 * stage.safe_probability);
+        first = stage.step + 2;
+    }
     if (!order.is_safe && order.worst.step >= 0) {
         say("  at step {} {}{}\n", order.worst.step + 1,
             where_text(*record.net, order.worst.breach),
@@ -515,6 +524,10 @@ void add_plan(CLI::App& program) {
         ->check(CLI::IsMember({"right", "left"}));
     command.add_option("--crews", request.crews, "Number of crews that turn at the same time")
         ->capture_default_str();
+    add_parsed(
+        command, "--stages", request.stages, parse_stages,
+        "Groups of edges to turn one after the other, each up to a part of its strokes, such "
+        "as ridge:50%,valley,ridge; all else comes last (default: all at once)");
     add_target_options(command, *options);
     command
         .add_option("--adjustable", options->adjustable,

@@ -87,6 +87,24 @@ GivenTension parse_target_tension(const std::string& text) {
     return given;
 }
 
+std::vector<GivenStage> parse_stages(const std::string& text) {
+    std::vector<GivenStage> stages;
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find(',', begin), text.size());
+        const std::string one = text.substr(begin, end - begin);
+        const size_t colon = std::min(one.find(':'), one.size());
+        const double part = colon < one.size() ? parse_part(one.substr(colon + 1)) : 1.0;
+        if (colon == 0 || !(part > 0.0 && part <= 1.0)) {
+            throw std::invalid_argument(fmt::format(
+                "--stages is '{}', expected groups and parts such as ridge:50%,valley,ridge",
+                text));
+        }
+        stages.push_back({.group = one.substr(0, colon), .part = part});
+        begin = end + 1;
+    }
+    return stages;
+}
+
 DeviationWeights parse_weights(const std::string& text) {
     DeviationWeights weights;
     std::string_view rest = text;

@@ -9,6 +9,7 @@
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/plan_turns.hpp"
 #include "taut/adjustment/tension_target.hpp"
 
 /// Options of the commands that plan turns. What their values must keep to, the library checks.
@@ -28,6 +29,10 @@ inline constexpr const char* actuator_help =
 /// "12kN[:5%|:300N][@GROUP]".
 /// @throws std::invalid_argument
 [[nodiscard]] GivenTension parse_target_tension(const std::string& text);
+
+/// Stages "ridge:50%,valley,ridge": GROUP or GROUP:PART, one after the other.
+/// @throws std::invalid_argument for another text
+[[nodiscard]] std::vector<GivenStage> parse_stages(const std::string& text);
 
 /// "normal:1,tangential:0.1"; what is not named has its default.
 /// @throws std::invalid_argument

@@ -16,7 +16,8 @@ namespace taut::app {
 PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
                              const SurveyOptions& options, const LengthPrior& prior,
                              const Forces& forces, const UncertainOptions& uncertain,
-                             const std::string& net_file, bool with_notes) {
+                             const SuggestionOptions& suggestions, const std::string& net_file,
+                             bool with_notes) {
     if (options.noise == estimated_noise) {
         throw std::invalid_argument(
             "--noise estimate is for identify: before a survey there is nothing to estimate it "
@@ -35,7 +36,17 @@ PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
     PredictedPrecision lengths = with_survey_of(options.survey, [&] {
         return predicted_precision(net, nominal.form, survey, prior, forces, parameters);
     });
-    return {.survey = std::move(survey), .prior = prior, .lengths = std::move(lengths)};
+    std::optional<MeasurementSuggestions> suggested;
+    if (!suggestions.quantity.empty()) {
+        SuggestOptions further = suggestions.read();
+        further.assume_site = survey.is_noisy() && uncertain.assume_site();
+        suggested = suggested_measurements(net, nominal.form, survey, prior, forces,
+                                           uncertain.given(net, net_file), further);
+    }
+    return {.survey = std::move(survey),
+            .prior = prior,
+            .lengths = std::move(lengths),
+            .suggestions = std::move(suggested)};
 }
 
 nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& precision,
@@ -57,21 +68,26 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
                           {"tension_std", force.std},
                           {"mean_tension_std", force.mean_std_if_measured}});
     }
-    return {{"file", file},
-            {"used", precision.survey.surveyed.size()},
-            {"missing", precision.survey.missing.size()},
-            {"missing_nodes", precision.survey.missing},
-            {"prior", precision.prior.to_string()},
-            {"prior_std", lengths.prior_std},
-            {"rms_std", lengths.rms_std()},
-            {"determined", lengths.count(EdgeStatus::determined)},
-            {"weakly_determined", lengths.count(EdgeStatus::weakly_determined)},
-            {"not_determined", lengths.count(EdgeStatus::not_determined)},
-            {"slack", lengths.count(EdgeStatus::slack)},
-            {"warnings", precision.survey.warnings},
-            {"edges", edges},
-            {"mean_tension", {{"mean", lengths.mean_tension}, {"std", lengths.mean_tension_std}}},
-            {"forces", forces}};
+    nlohmann::ordered_json document{
+        {"file", file},
+        {"used", precision.survey.surveyed.size()},
+        {"missing", precision.survey.missing.size()},
+        {"missing_nodes", precision.survey.missing},
+        {"prior", precision.prior.to_string()},
+        {"prior_std", lengths.prior_std},
+        {"rms_std", lengths.rms_std()},
+        {"determined", lengths.count(EdgeStatus::determined)},
+        {"weakly_determined", lengths.count(EdgeStatus::weakly_determined)},
+        {"not_determined", lengths.count(EdgeStatus::not_determined)},
+        {"slack", lengths.count(EdgeStatus::slack)},
+        {"warnings", precision.survey.warnings},
+        {"edges", edges},
+        {"mean_tension", {{"mean", lengths.mean_tension}, {"std", lengths.mean_tension_std}}},
+        {"forces", forces}};
+    if (precision.suggestions) {
+        document["suggestions"] = to_json(net, *precision.suggestions);
+    }
+    return document;
 }
 
 std::string precision_text(const CableNet& net, const PredictedSurvey& precision,
@@ -95,6 +111,9 @@ std::string precision_text(const CableNet& net, const PredictedSurvey& precision
         const EdgePrecision& e = worst[i];
         text += fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std,
                             100.0 * e.std / lengths.prior_std, status_text(e.status));
+    }
+    if (precision.suggestions) {
+        return text + suggestions_text(net, *precision.suggestions);
     }
     text += fmt::format(
         "  mean tension: std {:.3g} % of its {:.4g} kN\n"

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "force_input.hpp"
+#include "suggestions.hpp"
 #include "survey_input.hpp"
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/net/cable_net.hpp"
@@ -18,6 +20,7 @@ struct PredictedSurvey {
     Survey survey;
     LengthPrior prior;
     PredictedPrecision lengths;
+    std::optional<MeasurementSuggestions> suggestions;
 };
 
 /// @param options with a survey, or a file that only names nodes
@@ -29,7 +32,8 @@ struct PredictedSurvey {
 PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
                              const SurveyOptions& options, const LengthPrior& prior,
                              const Forces& forces, const UncertainOptions& uncertain,
-                             const std::string& net_file, bool with_notes);
+                             const SuggestionOptions& suggestions, const std::string& net_file,
+                             bool with_notes);
 
 nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& precision,
                                const std::string& file);

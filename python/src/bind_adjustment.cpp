@@ -289,18 +289,22 @@ PlannedTurns plan_on(const CableNet& net, const BuiltNet& built, const FormTarge
     }
 }
 
-Planned planned(
-    const Identified& identified, const std::optional<TargetLike>& target,
-    const std::optional<StrokeLike>& stroke, const std::optional<RangeLike>& tension,
-    const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
-    const std::optional<double>& step, const std::optional<double>& tolerance, double confidence,
-    double actuator_std, int crews, const std::optional<std::string>& thread,
-    int suggest_adjustable, const std::optional<double>& suggest_targets, bool accept_failed,
-    const std::optional<double>& total_stroke, const std::optional<RangeLike>& tension_part,
-    const std::optional<ForceLike>& reaction, const std::optional<ArraysByName>& load_cases,
-    const std::string& target_unit, const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
-    const std::string& objective, const std::optional<TensionLike>& target_tension,
-    const std::optional<double>& form_tolerance, std::uint64_t seed, const nb::object& progress) {
+Planned planned(const Identified& identified, const std::optional<TargetLike>& target,
+                const std::optional<StrokeLike>& stroke, const std::optional<RangeLike>& tension,
+                const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
+                const std::optional<double>& step, const std::optional<double>& tolerance,
+                double confidence, double actuator_std, int crews,
+                const std::optional<std::string>& thread, int suggest_adjustable,
+                const std::optional<double>& suggest_targets, bool accept_failed,
+                const std::optional<double>& total_stroke,
+                const std::optional<RangeLike>& tension_part,
+                const std::optional<ForceLike>& reaction,
+                const std::optional<ArraysByName>& load_cases, const std::string& target_unit,
+                const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
+                const std::string& objective, const std::optional<TensionLike>& target_tension,
+                const std::optional<double>& form_tolerance,
+                const std::vector<std::pair<std::string, double>>& stages, std::uint64_t seed,
+                const nb::object& progress) {
     const CableNet& net = identified.net;
     PlanRequest request{.options = {.confidence = confidence,
                                     .actuator_std = actuator_std,
@@ -317,6 +321,9 @@ Planned planned(
         if (request.options.edges.empty()) {
             throw nb::value_error("edges: got none, expected those that may be turned");
         }
+    }
+    for (const auto& [group, part] : stages) {
+        request.stages.push_back({.group = group, .part = part});
     }
     if (turn) {
         request.options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
@@ -445,9 +452,12 @@ void bind_plan(nb::module_& module) {
             "Planned tensions (m,) [N].")
         .def_prop_ro(
             "order", [](const Planned& self) { return in_python_types(self.turns.order); },
-            "Order of the work: turns, of each its edge, stroke [m], pass, crew and step (turns of "
-            "one step are made at once); passes; walk of all crews [m]; safe_probability and "
-            "is_safe; worst, the step (-1: none) with the worst breach of a limit.")
+            "Order of the work: turnings, of each its edge, stroke [m], pass, crew, step (those of "
+            "one step are made at once), tension [N] and natural frequency of the edge then (0 "
+            "without mass) [Hz]; passes; stages, of each its name, part, last step, least_tension, "
+            "most_tension [N], and safe_probability until then; walk of all crews [m]; "
+            "safe_probability and is_safe; worst, the step (-1: none) with the worst breach of a "
+            "limit.")
         .def_prop_ro(
             "suggested_adjustable",
             [](const Planned& self) { return in_python_types(self.turns.suggested_adjustable); },
@@ -529,8 +539,9 @@ void bind_adjustment(nb::module_& module) {
                nb::arg("reaction") = nb::none(), nb::arg("load_cases") = nb::none(),
                nb::arg("target_unit") = "m", nb::arg("weights") = nb::none(),
                nb::arg("objective") = "rms", nb::arg("target_tension") = nb::none(),
-               nb::arg("form_tolerance") = nb::none(), nb::arg("seed") = PlanOptions().seed,
-               nb::arg("progress") = nb::none(),
+               nb::arg("form_tolerance") = nb::none(),
+               nb::arg("stages") = std::vector<std::pair<std::string, double>>(),
+               nb::arg("seed") = PlanOptions().seed, nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
 Args:
@@ -571,6 +582,8 @@ Args:
         these the key None, which is for every edge. Or (m,), NaN for edges without target.
     form_tolerance: form deviation that counts as much as target tensions off by their tolerances,
         by default tolerance, else 0.005 [m].
+    stages: [(group of edges, part of its strokes)] to turn one after the other, such as
+        [("ridge", 0.5), ("valley", 1.0), ("ridge", 1.0)]; all else comes last.
     seed: of the random errors of the strokes.
     progress: called with stage, done, total.)");
 }

@@ -33,7 +33,6 @@
 #include "taut/files/file.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
-#include "taut/identification/predicted_precision.hpp"
 #include "taut/net/units.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
@@ -99,15 +98,6 @@ auto of_edges(double IdentifiedEdge::* member) {
 template <class Get>
 auto of_drawn_edges(Get get) {
     return [get](const Identified& self) { return array_of_each(self.found.drawn.tensions, get); };
-}
-
-template <class Edges>
-nb::list status_of_each(const Edges& edges) {
-    nb::list list;
-    for (const auto& edge : edges) {
-        list.append(to_string(edge.status));
-    }
-    return list;
 }
 
 /// What result.json holds under a key.
@@ -447,116 +437,10 @@ Identified identified(const CableNet& net, const Survey& survey, const IdentifyO
     return {.net = net, .survey = all[reported_epoch(all)].survey, .found = std::move(found)};
 }
 
-/// In ascending order.
-/// @throws nb::value_error for other than free nodes, each once
-std::vector<int> target_nodes(const CableNet& net, const ArrayLike& targets) {
-    std::vector<int> nodes = indices_argument(targets, "targets");
-    std::ranges::sort(nodes);
-    const auto refuse = [](int node, const char* why) {
-        throw nb::value_error(
-            fmt::format("targets: node {} {}, expected free nodes, each once", node, why).c_str());
-    };
-    for (size_t i = 0; i < nodes.size(); ++i) {
-        if (nodes[i] < 0 || nodes[i] >= net.node_count()) {
-            refuse(nodes[i], "is none of the net's");
-        } else if (net.free_index(nodes[i]) < 0) {
-            refuse(nodes[i], "is a support");
-        } else if (i > 0 && nodes[i] == nodes[i - 1]) {
-            refuse(nodes[i], "comes twice");
-        }
-    }
-    return nodes;
-}
-
-void bind_predicted_precision(nb::module_& module) {
-    nb::class_<PredictedPrecision> precision(
-        module, "PredictedPrecision",
-        "How precisely a survey would determine lengths and tensions, before it is made.");
-    make_picklable(precision);
-    bind_fields<PredictedPrecision>(
-        precision, std::identity(),
-        {{"prior_std", "Standard deviation of each length deviation before the survey [m]."},
-         {"mean_tension", "Mean over all edges, as designed [N]."},
-         {"mean_tension_std", "Its standard deviation after the survey [N]."},
-         {"force_candidates",
-          "Force measurements that would help, the best first. Of each: edge, tension and its std "
-          "[N], mean_std_if_measured, mean_tension_std with this one as well [N]."}});
-    precision
-        .def_prop_ro(
-            "edge", [](const PredictedPrecision& self) { return edges_of_each(self.edges); },
-            "Interior edges (m_I,), in the order of std and edge_status.")
-        .def_prop_ro(
-            "std",
-            [](const PredictedPrecision& self) {
-                return array_of_each(self.edges, &EdgePrecision::std);
-            },
-            "Standard deviation of each length deviation after the survey (m_I,) [m].")
-        .def_prop_ro(
-            "edge_status",
-            [](const PredictedPrecision& self) { return status_of_each(self.edges); },
-            "Most probable status of each interior edge, as Identification.edge_status.")
-        .def("to_dict", &dict_of_fields<PredictedPrecision>, nb::sig("def to_dict(self) -> dict"),
-             "All of it, SI units.")
-        .def(
-            "to_dataframe",
-            [](nb::handle_t<PredictedPrecision> self) {
-                return of_package("taut.tables", "precision_frame")(self);
-            },
-            nb::sig("def to_dataframe(self) -> object"),
-            "The interior edges as a pandas.DataFrame, SI units.")
-        .def("__repr__", [](const PredictedPrecision& self) {
-            return fmt::format(
-                "PredictedPrecision({} edges: {} determined, {} weakly determined, {} not "
-                "determined, {} slack; RMS std {:.3g} mm, {:.3g} mm before)",
-                self.edges.size(), self.count(EdgeStatus::determined),
-                self.count(EdgeStatus::weakly_determined), self.count(EdgeStatus::not_determined),
-                self.count(EdgeStatus::slack), 1e3 * self.rms_std(), 1e3 * self.prior_std);
-        });
-    module.def(
-        "inspect",
-        [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
-           const std::string& prior, const std::vector<std::string>& uncertain) {
-            const Equilibrium nominal = solve_equilibrium(net);
-            if (!nominal.balanced()) {
-                throw std::runtime_error("the net as designed finds no equilibrium");
-            }
-            if (!std::isfinite(noise) || noise < 0.0) {
-                throw nb::value_error(
-                    fmt::format("noise: got {} m, expected 0 or more", noise).c_str());
-            }
-            Survey survey;
-            survey.form = nominal.form;
-            survey.surveyed = targets ? target_nodes(net, *targets) : net.free_nodes();
-            survey.noise_std = Points::Constant(3, net.node_count(), noise);
-            for (const int node : net.free_nodes()) {
-                if (!std::ranges::binary_search(survey.surveyed, node)) {
-                    survey.missing.push_back(node);
-                }
-            }
-            return without_lock([&] {
-                const std::vector<UncertainParameter> given = uncertain_given(net, uncertain);
-                return predicted_precision(net, nominal.form, survey, parse_length_prior(prior), {},
-                                           assumes_site(uncertain) && noise > 0.0
-                                               ? with_site_assumptions(net, given)
-                                               : given);
-            });
-        },
-        nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
-        nb::arg("prior") = "uniform:5mm", nb::arg("uncertain") = std::vector<std::string>(),
-        R"(Predicts how precisely a survey would determine lengths and tensions, before it is made.
-
-Args:
-    targets: free nodes that are to be surveyed, by default all.
-    noise: standard deviation of each coordinate [m].
-    prior: of the length deviations.
-    uncertain: as for identify().)");
-}
-
 }  // namespace
 
 void bind_identification(nb::module_& module) {
     bind_result(module);
-    bind_predicted_precision(module);
     module.def(
         "identify",
         [](const CableNet& net, const Survey& survey, const std::optional<std::string>& method,

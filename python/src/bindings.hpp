@@ -20,6 +20,7 @@ void bind_frequency(nb::module_& module);
 void bind_sampling(nb::module_& module);
 void bind_gp(nb::module_& module);
 void bind_identification(nb::module_& module);
+void bind_precision(nb::module_& module);
 void bind_adjustment(nb::module_& module);
 void bind_study(nb::module_& module);
 void bind_interchange(nb::module_& module);

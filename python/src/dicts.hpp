@@ -125,4 +125,13 @@ void bind_fields(nb::class_<Of>& of, Get get, std::map<std::string, const char*>
     }
 }
 
+template <class Edges>
+[[nodiscard]] nb::list status_of_each(const Edges& edges) {
+    nb::list list;
+    for (const auto& edge : edges) {
+        list.append(to_string(edge.status));
+    }
+    return list;
+}
+
 }  // namespace taut::python

@@ -15,6 +15,7 @@
 #include "taut/gp/fit.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/predicted_precision.hpp"
+#include "taut/identification/suggested_measurements.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/survey/cable_frequency.hpp"
@@ -123,6 +124,8 @@ TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, 
 TAUT_FIELDS(EdgePrecision, edge, std, status)
 TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_if_measured)
 TAUT_FIELDS(PredictedPrecision, prior_std, edges, mean_tension, mean_tension_std, force_candidates)
+TAUT_FIELDS(SuggestedMeasurement, kind, edge, node, expected, std, remaining_std, total_cost)
+TAUT_FIELDS(MeasurementSuggestions, quantity, mean_tension, std, steps, left_out)
 
 // adjustment
 TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads)
@@ -151,9 +154,10 @@ TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, target_tensions, no
             tension_upper, effective_limits, draws, draws_needed, no_draws_because,
             limit_probability, is_feasible, has_converged, breaches, normal_rmse_of_free_strokes,
             is_within_tolerance, fewest_bound, iterations)
-TAUT_FIELDS(Turning, edge, stroke, pass, crew, step)
+TAUT_FIELDS(StageEnd, name, part, step, least_tension, most_tension, safe_probability)
+TAUT_FIELDS(Turning, edge, stroke, pass, crew, step, tension, length, frequency)
 TAUT_FIELDS(WorstStep, step, breach)
-TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)
+TAUT_FIELDS(TurnOrder, turnings, passes, stages, walk, safe_probability, is_safe, worst)
 TAUT_FIELDS(PlannedTurns, options, limits, plan, order, suggested_adjustable, crews, thread)
 TAUT_FIELDS(Planned, net, built, trust, target, turns)
 

@@ -91,6 +91,7 @@ NB_MODULE(_taut, module) {
     bind_sampling(module);
     bind_gp(module);
     bind_identification(module);
+    bind_precision(module);
     bind_adjustment(module);
     bind_study(module);
     bind_interchange(module);

@@ -186,7 +186,9 @@ DrawnWork OrderWork::drawn(
     DrawnWork result;
     std::map<Break, int> count;
     for (size_t d = 0; d < breaks.size(); ++d) {
-        result.kept += breaks[d].empty() && has_no_form[d] == 0 ? 1 : 0;
+        const int first = breaks[d].empty() ? -1 : std::get<0>(breaks[d].front());
+        result.first_broken.push_back(has_no_form[d] != 0 ? 0 : first);
+        result.kept += result.first_broken.back() < 0 ? 1 : 0;
         for (const Break& one : breaks[d]) {
             ++count[one];
         }

@@ -24,6 +24,7 @@ struct Harm {
 /// An order of work in all samples.
 struct DrawnWork {
     int kept = 0;                    ///< samples in which no step breaks a limit
+    std::vector<int> first_broken;   ///< step that breaks one first, by sample; -1: none
     std::optional<WorstStep> worst;  ///< the limit that is broken in most samples, and when
 };
 
@@ -37,6 +38,7 @@ public:
 
     /// Back to the start, where nothing is turned.
     void restart();
+    [[nodiscard]] const CableNet& net() const { return m_built->net; }
     [[nodiscard]] const Eigen::VectorXd& strokes() const { return m_strokes; }
     [[nodiscard]] StrokedNet at(const Eigen::VectorXd& strokes);
     /// Forces of samples are predicted: those of the estimate plus the sample's difference from it,

@@ -12,6 +12,7 @@
 #include "adjustment/tension_targets.hpp"
 #include "statics/arguments.hpp"
 #include "taut/net/units.hpp"
+#include "taut/survey/cable_vibration.hpp"
 
 namespace taut {
 namespace {
@@ -120,6 +121,23 @@ void take_tension(const CableNet& net, const TensionRange& range, TensionLimits&
     }
 }
 
+std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& turnable,
+                                 const std::vector<GivenStage>& given) {
+    std::vector<WorkStage> stages;
+    stages.reserve(given.size());
+    for (const GivenStage& one : given) {
+        const std::vector<int>& edges = edges_of_group(net, one.group, "stages");
+        if (std::ranges::none_of(
+                edges, [&](int edge) { return std::ranges::binary_search(turnable, edge); })) {
+            throw RequestError(
+                "stages",
+                fmt::format("is of the group '{}', but no edge of that may be turned", one.group));
+        }
+        stages.push_back({.name = one.group, .edges = edges, .part = one.part});
+    }
+    return stages;
+}
+
 ReactionLimit limit_of(const CableNet& net, const ReactionBound& bound) {
     if (!bound.group) {
         return {.name = "all supports", .supports = net.supports(), .upper = bound.upper};
@@ -226,6 +244,7 @@ PlannedTurns plan_turns(const CableNet& net, const BuiltNet& built, const FormTa
                            fmt::format("is {}, expected 0 or more", request.suggest_adjustable));
     }
     auto [options, limits] = resolve(net, built.net, request);
+    std::vector<WorkStage> stages = stages_of(net, options.edges, request.stages);
     PlannedTurns turns{.options = std::move(options),
                        .limits = std::move(limits),
                        .plan = {},
@@ -236,11 +255,17 @@ PlannedTurns plan_turns(const CableNet& net, const BuiltNet& built, const FormTa
     turns.plan = plan_strokes(built, target, turns.limits, turns.options, progress);
     turns.order = order_turns(built, turns.limits, turns.plan,
                               {.crews = request.crews,
+                               .stages = std::move(stages),
                                .turn_step = turns.options.turn ? turns.options.turn->step() : 0.0,
                                .confidence = turns.options.confidence,
                                .actuator_std = turns.options.actuator_std,
                                .seed = turns.options.seed},
                               progress);
+    for (Turning& turning : turns.order.turnings) {
+        VibratingCable cable = vibrating_cable(net, net.nodes(), turning.edge);
+        cable.length = turning.length;
+        turning.frequency = cable.mass > 0.0 ? frequency_of_tension(cable, turning.tension) : 0.0;
+    }
     if (request.suggest_adjustable > 0) {
         turns.suggested_adjustable =
             suggested_edges(built, target, turns.limits, turns.options, turns.plan,

@@ -15,6 +15,7 @@
 #include "adjustment/drawn_forces.hpp"
 #include "adjustment/order_work.hpp"
 #include "adjustment/station_tour.hpp"
+#include "net/check_index.hpp"
 
 namespace taut {
 namespace {
@@ -44,6 +45,49 @@ std::vector<std::vector<int>> stretches(const std::vector<int>& tour, int crews)
 
 /// Strokes done after each step, and the forces of the estimate then.
 using States = std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>;
+
+/// The strokes after a pass.
+struct Pass {
+    Eigen::VectorXd strokes;
+    int stage = 0;
+};
+
+std::vector<Pass> passes_of(const Plan& plan, const std::vector<WorkStage>& stages,
+                            int passes_of_stage, double turn_step) {
+    std::vector<Pass> result;
+    const auto count = std::ssize(plan.strokes);
+    Eigen::VectorXd done = Eigen::VectorXd::Zero(count);
+    const auto in_whole_steps = [turn_step](double stroke) {
+        return turn_step == 0.0 ? stroke : turn_step * std::round(stroke / turn_step);
+    };
+    const auto add_stage = [&](const Eigen::VectorXd& end, int stage) {
+        for (int pass = 1; pass < passes_of_stage; ++pass) {
+            const Eigen::VectorXd strokes = done + (end - done) * pass / passes_of_stage;
+            result.push_back({.strokes = strokes.unaryExpr(in_whole_steps), .stage = stage});
+        }
+        result.push_back({.strokes = end, .stage = stage});
+        done = end;
+    };
+    for (size_t k = 0; k < stages.size(); ++k) {
+        Eigen::VectorXd end = done;
+        for (Eigen::Index j = 0; j < count; ++j) {
+            const PlannedStroke& stroke = plan.strokes[static_cast<size_t>(j)];
+            if (std::ranges::find(stages[k].edges, stroke.edge) != stages[k].edges.end()) {
+                end(j) = stages[k].part == 1.0 ? stroke.stroke
+                                               : in_whole_steps(stages[k].part * stroke.stroke);
+            }
+        }
+        add_stage(end, static_cast<int>(k));
+    }
+    Eigen::VectorXd all(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        all(j) = plan.strokes[static_cast<size_t>(j)].stroke;
+    }
+    if (stages.empty() || all != done) {
+        add_stage(all, static_cast<int>(stages.size()));
+    }
+    return result;
+}
 
 struct PassAttempt {
     TurnOrder order;
@@ -94,23 +138,36 @@ NextStation next_station(OrderWork& work, const Eigen::VectorXd& strokes, const 
     return best;
 }
 
+void add_stage_end(const OrderWork& work, const std::vector<WorkStage>& stages, int stage,
+                   int last_step, TurnOrder& order) {
+    if (stages.empty()) {
+        return;
+    }
+    const bool is_rest = stage == std::ssize(stages);
+    const WorkStage given =
+        is_rest ? WorkStage{.name = "rest"} : stages[static_cast<size_t>(stage)];
+    const auto tensions = work.now().forces.head(work.net().edge_count()).cwiseMax(0.0);
+    order.stages.push_back({.name = given.name,
+                            .part = given.part,
+                            .step = last_step,
+                            .least_tension = tensions.minCoeff(),
+                            .most_tension = tensions.maxCoeff()});
+}
+
 /// Passes over the net, each crew along its stretch. A station that would break a limit now is put
 /// off; one that always would is turned where it does least harm.
 PassAttempt try_passes(OrderWork& work, const Plan& plan,
                        const std::vector<std::vector<int>>& crews, int passes,
                        const TurnOrderOptions& options, const Progress& progress) {
     PassAttempt result;
-    result.order.passes = passes;
+    const std::vector<Pass> all_passes = passes_of(plan, options.stages, passes, options.turn_step);
+    result.order.passes = static_cast<int>(all_passes.size());
     work.restart();
     int step = 0;
-    for (int pass = 1; pass <= passes; ++pass) {
+    for (int pass = 1; pass <= result.order.passes; ++pass) {
+        const Pass& now = all_passes[static_cast<size_t>(pass) - 1];
         std::vector<std::vector<int>> left = crews;
-        const auto goal = [&](int j) {
-            const double part = plan.strokes[static_cast<size_t>(j)].stroke * pass / passes;
-            return pass == passes || options.turn_step == 0.0
-                       ? part
-                       : options.turn_step * std::round(part / options.turn_step);
-        };
+        const auto goal = [&](int j) { return now.strokes(j); };
         for (std::vector<int>& stations : left) {
             std::erase_if(stations, [&](int j) {
                 return std::abs(goal(j) - work.strokes()(j)) < negligible_stroke;
@@ -138,9 +195,21 @@ PassAttempt try_passes(OrderWork& work, const Plan& plan,
                 result.excess = next.harm.excess;
                 result.order.worst = {.step = step, .breach = work.worst_breach(next.net)};
             }
+            for (Turning& turning : result.order.turnings) {
+                if (turning.step == step) {
+                    turning.tension = std::max(0.0, next.net.forces(turning.edge));
+                    const auto [s, t] = work.net().edges()[turning.edge];
+                    const Points& form = next.net.equilibrium.form;
+                    turning.length = (form.col(s) - form.col(t)).norm();
+                }
+            }
             result.states.emplace_back(strokes, next.net.forces);
             work.accept(std::move(strokes), std::move(next.net));
             ++step;
+        }
+        if (pass == result.order.passes ||
+            all_passes[static_cast<size_t>(pass)].stage != now.stage) {
+            add_stage_end(work, options.stages, now.stage, step - 1, result.order);
         }
     }
     result.kept = work.predicted_kept();
@@ -158,9 +227,18 @@ void judge(const OrderWork& work, const TurnOrderOptions& options, PassAttempt& 
     order.is_safe = order.worst.step < 0;
     order.safe_probability = order.is_safe ? 1.0 : 0.0;
     if (work.draws() == 0) {
+        for (StageEnd& stage : order.stages) {
+            stage.safe_probability = order.is_safe || order.worst.step > stage.step ? 1.0 : 0.0;
+        }
         return;
     }
     const DrawnWork drawn = work.drawn(attempt.states);
+    for (StageEnd& stage : order.stages) {
+        const auto broken = std::ranges::count_if(
+            drawn.first_broken, [&](int step) { return step >= 0 && step <= stage.step; });
+        stage.safe_probability =
+            1.0 - static_cast<double>(broken) / static_cast<double>(work.draws());
+    }
     attempt.kept = drawn.kept;
     order.safe_probability = static_cast<double>(drawn.kept) / static_cast<double>(work.draws());
     if (order.is_safe && drawn.kept < draws_needed(options.confidence, work.draws())) {
@@ -187,6 +265,28 @@ double walk_of(const CableNet& net, const TurnOrder& order, int crews) {
     return sum;
 }
 
+void check_stages(const CableNet& net, const std::vector<WorkStage>& stages) {
+    std::vector<double> done(static_cast<size_t>(net.edge_count()), 0.0);
+    for (const WorkStage& stage : stages) {
+        if (!(stage.part > 0.0 && stage.part <= 1.0)) {
+            throw std::invalid_argument(
+                fmt::format("the stage '{}' does {:g} of the strokes, expected above 0, at most 1",
+                            stage.name, stage.part));
+        }
+        for (const int edge : stage.edges) {
+            check_index("edge", edge, net.edge_count());
+            double& before = done[static_cast<size_t>(edge)];
+            if (stage.part <= before) {
+                throw std::invalid_argument(fmt::format(
+                    "the stage '{}' does {:g} of the strokes, but a stage before has done {:g} of "
+                    "that of edge '{}'",
+                    stage.name, stage.part, before, net.edge_id(edge)));
+            }
+            before = stage.part;
+        }
+    }
+}
+
 }  // namespace
 
 TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& plan,
@@ -208,6 +308,7 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
         throw std::invalid_argument(
             fmt::format("the actuator std is {:g} m, expected at least 0", options.actuator_std));
     }
+    check_stages(built.net, options.stages);
     check_force_limits(built.net, limits);
     check_plan(built.net, limits, plan);
     if (plan.strokes.empty()) {

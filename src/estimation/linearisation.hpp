@@ -72,6 +72,10 @@ public:
     /// Covariance of the x of LengthEvidence: all length deviations, then the first common
     /// parameters; takes one solution for each.
     [[nodiscard]] Eigen::MatrixXd evidence_covariance(int common_count) const;
+    /// Covariance of all unknowns: the places of all nodes (3 n, 0 where known), then the length
+    /// deviations (m_I), then the common parameters in their standard deviations; takes one
+    /// solution for each.
+    [[nodiscard]] Eigen::MatrixXd joint_covariance() const;
     /// Covariance of the lengths of these edges, 0 for known ones; takes one solution for each (k x
     /// k) [m2].
     [[nodiscard]] Eigen::MatrixXd length_covariance(const std::vector<int>& edges) const;

@@ -130,6 +130,44 @@ Eigen::MatrixXd Linearisation::evidence_covariance(int common_count) const {
     return 0.5 * (result + result.transpose());
 }
 
+Eigen::MatrixXd Linearisation::joint_covariance() const {
+    const std::vector<int>& nodes = m_model->numbering().nodes;
+    const std::vector<int>& edges = m_model->net().interior_edges();
+    const Eigen::Index places = Eigen::Index{3} * m_model->net().node_count();
+    const Eigen::Index lengths = std::ssize(edges);
+    const Eigen::Index count = places + lengths + m_model->common.count();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+    const auto set_column = [&](Eigen::Index column, const BorderedFactor::Vector& unit,
+                                double unit_length) {
+        const BorderedFactor::Vector varied = m_matrix->solve(unit);
+        for (size_t i = 0; i < nodes.size(); ++i) {
+            result.col(column).segment<3>(Eigen::Index{3} * nodes[i]) =
+                unit_length * m_length_unit * varied.inner.places.col(static_cast<Eigen::Index>(i));
+        }
+        result.col(column).segment(places, lengths) =
+            unit_length * m_length_unit * varied.inner.lengths(edges);
+        result.col(column).tail(m_model->common.count()) = unit_length * varied.border;
+    };
+    parallel_for(Eigen::Index{0}, std::ssize(nodes), [&](Eigen::Index i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            BorderedFactor::Vector unit = empty_vector();
+            unit.inner.places(axis, i) = 1.0;
+            set_column(Eigen::Index{3} * nodes[static_cast<size_t>(i)] + axis, unit, m_length_unit);
+        }
+    });
+    parallel_for(Eigen::Index{0}, lengths, [&](Eigen::Index i) {
+        BorderedFactor::Vector unit = empty_vector();
+        unit.inner.lengths(edges[static_cast<size_t>(i)]) = 1.0;
+        set_column(places + i, unit, m_length_unit);
+    });
+    for (Eigen::Index k = 0; k < m_model->common.count(); ++k) {
+        BorderedFactor::Vector unit = empty_vector();
+        unit.border(k) = 1.0;
+        set_column(places + lengths + k, unit, 1.0);
+    }
+    return 0.5 * (result + result.transpose());
+}
+
 Eigen::MatrixXd Linearisation::length_covariance(const std::vector<int>& edges) const {
     const auto count = std::ssize(edges);
     Eigen::MatrixXd result(count, count);

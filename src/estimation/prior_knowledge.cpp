@@ -6,13 +6,11 @@
 #include <cmath>
 
 namespace taut {
-namespace {
-
-/// (shared-error): as a part of the measured tension, so that the misfit is linear in it. Where no
-/// parameter holds what it shares with others, this is part of its own error.
-void set_shared_error(const ForceMeasurement& force,
-                      const std::vector<UncertainParameter>& uncertain, Observations& result) {
+void observe_force(const ForceMeasurement& force, const std::vector<UncertainParameter>& uncertain,
+                   Observations& result) {
     using Kind = UncertainParameter::Kind;
+    result.tension(force.edge) = force.tension;
+    result.tension_weights(force.edge) = 1.0 / (force.std * force.std);
     const Kind kind = force.is_by_mass() ? Kind::mass : Kind::forces;
     int k = 0;
     for (const UncertainParameter& parameter : uncertain) {
@@ -26,8 +24,6 @@ void set_shared_error(const ForceMeasurement& force,
     result.tension_weights(force.edge) =
         1.0 / (force.std * force.std + force.shared_std * force.shared_std);
 }
-
-}  // namespace
 
 double PriorKnowledge::length_std() const {
     double sum = 0.0;
@@ -108,9 +104,7 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
     }
     result.set_evidence(knowledge.evidence);
     for (const ForceMeasurement& force : knowledge.forces.measurements) {
-        result.tension(force.edge) = force.tension;
-        result.tension_weights(force.edge) = 1.0 / (force.std * force.std);
-        set_shared_error(force, knowledge.uncertain, result);
+        observe_force(force, knowledge.uncertain, result);
     }
     return result;
 }

@@ -43,6 +43,12 @@ struct PriorKnowledge {
 /// A survey with its supports as targets like the others.
 [[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey);
 
+/// Adds a force measurement. What it shares with others is a part of the measured tension, so that
+/// the misfit is linear in it; where no parameter holds it, it is a part of the measurement's own
+/// error. docs/theory.md, (shared-error).
+void observe_force(const ForceMeasurement& force, const std::vector<UncertainParameter>& uncertain,
+                   Observations& result);
+
 /// A survey without rejected targets (one flag a node), with all prior knowledge, docs/theory.md
 /// (prior), (uncertain-parameters), (force-measurement).
 /// @param common_parameters their number

@@ -111,17 +111,20 @@ std::string plan_to_csv(const PlanRecord& record) {
     }
     text +=
         "number,crew,pass,step,edge,support,action,rotation,turns,stroke_mm,scale_reading_mm,"
-        "tension_after_kN\n";
+        "tension_after_kN,frequency_after_step_Hz\n";
     int number = 0;
     for (const ListedTurning& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         text += fmt::format(
-            "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", ++number, turning.crew, turning.pass,
-            turning.step + 1, csv_field(record.net->edge_id(turning.edge)),
+            "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{},{}\n", ++number, turning.crew,
+            turning.pass, turning.step + 1, csv_field(record.net->edge_id(turning.edge)),
             csv_field(support_id(*record.net, turning.edge)), action_of(turning.stroke),
             listed.rotation.value_or(""), listed.turns ? fmt::format("{:.3f}", *listed.turns) : "",
             1e3 * turning.stroke, 1e3 * listed.reading_after,
-            record.turns->plan.draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "");
+            record.turns->plan.draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "",
+            record.turns->plan.draws > 0 && turning.frequency > 0.0
+                ? fmt::format("{:.3f}", turning.frequency)
+                : "");
     }
     return text;
 }

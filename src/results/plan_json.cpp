@@ -39,6 +39,18 @@ Description<LimitBreach> describe(const LimitBreach* /*type*/) {
              "Probability that the limit is kept; 0 or 1 without samples.");
 }
 
+Description<StageEnd> describe(const StageEnd* /*type*/) {
+    return Description<StageEnd>("stage", "A part of the work, done before the next begins.")
+        .key("name", &StageEnd::name, "Group of edges; rest: what no stage holds.")
+        .key("part", &StageEnd::part, part, "Of the strokes of its edges.")
+        .key("step", &StageEnd::step, "The last one of the stage, from 0; -1: none so far.")
+        .key("least_tension", &StageEnd::least_tension, size,
+             "At its end, over all edges, in the estimate [N].")
+        .key("most_tension", &StageEnd::most_tension, size)
+        .key("safe_probability", &StageEnd::safe_probability, part,
+             "Probability that no step until then breaks a limit; 0 or 1 without samples.");
+}
+
 Description<ListedTurning> describe(const ListedTurning* /*type*/) {
     using Turn = ListedTurning;
     return Description<Turn>("turn", "One action of a crew at one turnbuckle.")
@@ -57,6 +69,11 @@ Description<ListedTurning> describe(const ListedTurning* /*type*/) {
              "From 0; in one step each crew turns at most one edge.")
         .key("reading_after", &Turn::reading_after,
              "Unstressed length then, less the designed one [m].")
+        .newer("tension_after_step", TAUT_VALUE(it.turning.tension), size,
+               "Of the edge after this step [N].")
+        .newer("frequency_after_step",
+               TAUT_VALUE(when(it.turning.frequency > 0.0, it.turning.frequency)), size,
+               "Its first natural one then, as a string; null without a mass [Hz].")
         .key("tension_after", &Turn::tension_after, size, "When all is done [N].");
 }
 
@@ -200,6 +217,7 @@ Description<PlanRecord> plan_order() {
         .key("walk", TAUT_VALUE(it.turns->order.walk), size, "Of all crews, in straight lines [m].")
         .key("safe", TAUT_VALUE(it.turns->order.is_safe),
              "Whether no step breaks a limit, with the required probability.")
+        .newer("stages", TAUT_VALUE(it.turns->order.stages))
         .newer("safe_probability", TAUT_VALUE(it.turns->order.safe_probability), part,
                "Probability that no step breaks a limit; 0 or 1 without samples.")
         .key(

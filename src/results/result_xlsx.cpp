@@ -67,7 +67,8 @@ XlsxSheet sheet_of_turns(const CableNet& net, const json& plan) {
                                 {"turns", 3},
                                 {"stroke_mm", 3},
                                 {"scale_reading_mm", 3},
-                                {"tension_after_kN", 3}},
+                                {"tension_after_kN", 3},
+                                {"frequency_after_step_Hz", 3}},
                     .rows = {}};
     const bool has_tensions = plan.at("draws") > 0;
     for (const json& turn : plan.at("turns")) {
@@ -78,7 +79,8 @@ XlsxSheet sheet_of_turns(const CableNet& net, const json& plan) {
              name_cell(net.edge_id(edge)), name_cell(support_id(net, edge)),
              text_of_key(turn, "action"), text_of_key(turn, "rotation"), number_cell(turn, "turns"),
              number_cell(turn, "stroke", to_milli), number_cell(turn, "reading_after", to_milli),
-             has_tensions ? number_cell(turn, "tension_after", to_kilo) : XlsxCell()});
+             has_tensions ? number_cell(turn, "tension_after", to_kilo) : XlsxCell(),
+             has_tensions ? number_cell(turn, "frequency_after_step") : XlsxCell()});
     }
     return sheet;
 }

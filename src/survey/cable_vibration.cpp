@@ -46,6 +46,16 @@ double fixed_ends(double omega, int mode) {
     return std::pow(omega / a, 2) - a * a;
 }
 
+[[noreturn]] void refuse_cable(const VibratingCable& cable, const std::string& of_what) {
+    throw std::invalid_argument(
+        fmt::format("a cable of {} m, {} kg/m and EI {} N m2 with {}, expected positive numbers",
+                    cable.length, cable.mass, cable.bending_stiffness, of_what));
+}
+
+bool is_cable(const VibratingCable& cable) {
+    return cable.length > 0.0 && cable.mass > 0.0 && cable.bending_stiffness >= 0.0;
+}
+
 /// Between two ends of a range, all of it alike.
 struct Range {
     double least;
@@ -61,14 +71,21 @@ struct Range {
 
 }  // namespace
 
+VibratingCable vibrating_cable(const CableNet& net, const Points& form, int edge) {
+    check_index("edge", edge, net.edge_count());
+    const auto of_edge = [edge](const Eigen::VectorXd& values) {
+        return values.size() > 0 ? values(edge) : 0.0;
+    };
+    const auto [s, t] = net.edges()[edge];
+    return {.length = (form.col(s) - form.col(t)).norm(),
+            .mass = of_edge(net.data().mass),
+            .bending_stiffness = of_edge(net.data().bending_stiffness)};
+}
+
 double tension_of_frequency(const VibratingCable& cable, double frequency, int mode,
                             CableEnds ends) {
-    if (!(frequency > 0.0) || !(cable.length > 0.0) || !(cable.mass > 0.0) ||
-        !(cable.bending_stiffness >= 0.0) || mode < 1) {
-        throw std::invalid_argument(fmt::format(
-            "a cable of {} m, {} kg/m and EI {} N m2 with {} Hz in mode {}, expected positive "
-            "numbers",
-            cable.length, cable.mass, cable.bending_stiffness, frequency, mode));
+    if (!is_cable(cable) || !(frequency > 0.0) || mode < 1) {
+        refuse_cable(cable, fmt::format("{} Hz in mode {}", frequency, mode));
     }
     const double l = cable.length;
     const double EI = cable.bending_stiffness;
@@ -80,17 +97,19 @@ double tension_of_frequency(const VibratingCable& cable, double frequency, int m
     return fixed_ends(omega, mode) * EI / (l * l);
 }
 
+double frequency_of_tension(const VibratingCable& cable, double tension) {
+    if (!is_cable(cable) || !(tension >= 0.0)) {
+        refuse_cable(cable, fmt::format("{} N", tension));
+    }
+    const double stiffened = tension + cable.bending_stiffness * std::pow(pi / cable.length, 2);
+    return std::sqrt(stiffened / cable.mass) / (2.0 * cable.length);
+}
+
 ForceMeasurement tension_by_frequency(const CableNet& net, const Points& form,
                                       const FrequencyMeasurement& measured,
                                       double free_length_std) {
-    check_index("edge", measured.edge, net.edge_count());
     const int edge = measured.edge;
-    const auto of_edge = [edge](const Eigen::VectorXd& values) {
-        return values.size() > 0 ? values(edge) : 0.0;
-    };
-    const auto [s, t] = net.edges()[edge];
-    const double length = (form.col(s) - form.col(t)).norm();
-    const double mass = of_edge(net.data().mass);
+    const auto [length, mass, given] = vibrating_cable(net, form, edge);
     if (!(mass > 0.0)) {
         refuse_frequency(net, edge, "needs its mass: the net has none of it (mass [kg/m])");
     }
@@ -109,7 +128,6 @@ ForceMeasurement tension_by_frequency(const CableNet& net, const Points& form,
                         measured.frequency, measured.std));
     }
     const double EA = net.axial_stiffness()(edge);
-    const double given = of_edge(net.data().bending_stiffness);
     const double of_bar = EA * mass / (4.0 * pi * density_of_steel);  // E A^2 / (4 pi)
     const auto tension = [&](double bending_stiffness, CableEnds ends) {
         return tension_of_frequency({length, mass, bending_stiffness}, measured.frequency,

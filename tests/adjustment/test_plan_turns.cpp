@@ -15,6 +15,7 @@
 #include "support/random_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/survey/cable_vibration.hpp"
 
 namespace taut {
 namespace {
@@ -205,6 +206,22 @@ TEST(PlanTurns, AreThoseOfTheirParts) {
     ASSERT_EQ(turns.order.turnings.size(), order.turnings.size());
     EXPECT_EQ(turns.order.walk, order.walk);
     EXPECT_LE(turns.suggested_adjustable.value().size(), 1U);
+    EXPECT_EQ(turns.order.turnings.front().frequency, 0.0) << "no mass is known";
+
+    CableNetData heavy = net.data();
+    heavy.mass = Eigen::VectorXd::LinSpaced(net.edge_count(), 0.01, 0.02);
+    request.stages = {{.group = "first", .part = 0.5}};
+    const PlannedTurns staged = plan_turns(CableNet(heavy), built, target, request);
+    const Turning turning = staged.order.turnings.front();
+    EXPECT_EQ(turning.edge, net.data().groups.at("first")[0]);
+    EXPECT_EQ(staged.order.stages.size(), 2U);
+    EXPECT_NEAR(tension_of_frequency({.length = turning.length, .mass = heavy.mass(turning.edge)},
+                                     turning.frequency, 1, CableEnds::hinged),
+                turning.tension, 1e-9 * turning.tension);
+    request.stages = {{.group = "inner"}};
+    EXPECT_THAT([&] { static_cast<void>(plan_turns(net, built, target, request)); },
+                ThrowsMessage<RequestError>(HasSubstr("no edge of that may be turned")));
+
     request.suggest_adjustable = -1;
     EXPECT_THAT([&] { static_cast<void>(plan_turns(net, built, target, request)); },
                 ThrowsMessage<RequestError>("the suggest adjustable is -1, expected 0 or more"));

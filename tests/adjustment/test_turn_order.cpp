@@ -70,6 +70,8 @@ TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryStep) {
             }
             form = EquilibriumSolver(built.net).solve(lengths, form).form;
             const Eigen::VectorXd now = tensions(built.net, lengths, form);
+            EXPECT_NEAR(turning.tension, now(turning.edge), 1.0);
+            EXPECT_NEAR(turning.length, edge_lengths(built.net, form)(turning.edge), 1e-6);
             EXPECT_GT((now - least).minCoeff(), -1.0);
             EXPECT_LT((now - most).maxCoeff(), 1.0);
         }
@@ -78,6 +80,63 @@ TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryStep) {
             EXPECT_NEAR(done[stroke.edge], stroke.stroke, 1e-12);
         }
     }
+}
+
+TEST_F(TurnOrderOfHilo, GoesStageByStage) {
+    std::vector<int> first;
+    std::vector<int> second;
+    for (const PlannedStroke& stroke : plan.strokes) {
+        (stroke.edge % 3 == 0 ? first : second).push_back(stroke.edge);
+    }
+    second.resize(second.size() / 2);
+    const std::vector<WorkStage> stages{{.name = "a", .edges = first, .part = 0.5},
+                                        {.name = "b", .edges = second},
+                                        {.name = "a", .edges = first}};
+    const TurnOrder order =
+        order_turns(built, limits, plan, {.stages = stages, .turn_step = 1.25e-3});
+    ASSERT_EQ(order.stages.size(), 4u);
+    EXPECT_EQ(order.stages[3].name, "rest");
+    EXPECT_EQ(order.passes % 4, 0);
+    std::map<int, double> done;
+    size_t stage = 0;
+    for (const Turning& turning : order.turnings) {
+        while (turning.step > order.stages[stage].step) {
+            ++stage;
+        }
+        const auto is_in = [&](const std::vector<int>& edges) {
+            return std::ranges::find(edges, turning.edge) != edges.end();
+        };
+        EXPECT_EQ(is_in(first), stage == 0 || stage == 2);
+        EXPECT_EQ(is_in(second), stage == 1);
+        done[turning.edge] += turning.stroke;
+        if (stage == 0) {
+            EXPECT_NEAR(std::remainder(done[turning.edge], 1.25e-3), 0.0, 1e-9);
+        }
+    }
+    Eigen::VectorXd lengths = built.net.unstressed_lengths();
+    for (const PlannedStroke& stroke : plan.strokes) {
+        EXPECT_NEAR(done[stroke.edge], stroke.stroke, 1e-12);
+        lengths(stroke.edge) += stroke.stroke;
+    }
+    const Eigen::VectorXd at_end =
+        tensions(built.net, lengths, EquilibriumSolver(built.net).solve(lengths, net.nodes()).form);
+    EXPECT_NEAR(order.stages[3].least_tension, std::max(0.0, at_end.minCoeff()), 1.0);
+    EXPECT_NEAR(order.stages[3].most_tension, at_end.maxCoeff(), 1.0);
+    EXPECT_EQ(order.stages[3].safe_probability, order.is_safe ? 1.0 : 0.0);
+}
+
+TEST_F(TurnOrderOfHilo, RefusesStagesThatGoBack) {
+    const std::vector<int> edges{plan.strokes[0].edge};
+    const auto with = [&](std::vector<WorkStage> stages) {
+        return [this, stages = std::move(stages)] {
+            static_cast<void>(order_turns(built, limits, plan, {.stages = stages}));
+        };
+    };
+    EXPECT_THAT(with({{.name = "a", .edges = edges}, {.name = "b", .edges = edges, .part = 0.5}}),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("a stage before has done 1 of")));
+    EXPECT_THAT(with({{.name = "a", .edges = edges, .part = 0.0}}),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("expected above 0")));
+    EXPECT_THROW(with({{.name = "a", .edges = {net.edge_count()}}})(), std::out_of_range);
 }
 
 TEST_F(TurnOrderOfHilo, WalksFromNeighbourToNeighbour) {

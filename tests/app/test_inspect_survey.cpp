@@ -48,6 +48,25 @@ protected:
     }
 };
 
+TEST_F(InspectSurvey, SuggestsWhatToMeasureNext) {
+    plan(30, 70);
+    const Words what{"targets.txt", "--noise",    "0.5mm",  "--suggest", "form",
+                     "--cost",      "target:0.1", "--load", "0.3kN"};
+    const json found = survey(what)["suggestions"];
+    EXPECT_EQ(found["quantity"], "form");
+    ASSERT_EQ(found["steps"].size(), 5U);
+    double left = found["std"];
+    for (const json& step : found["steps"]) {
+        EXPECT_LT(step["remaining_std"], left);
+        left = step["remaining_std"];
+    }
+    EXPECT_EQ(found["steps"][0]["kind"], "target");
+    const std::string text = must_run(joined({"inspect", "net.json", "--survey"}, what));
+    EXPECT_THAT(text, AllOf(HasSubstr("form: std "),
+                            HasSubstr("node " + found["steps"][0]["id"].get<std::string>()),
+                            HasSubstr("not suggested: frequencies and sags: the net has no mass")));
+}
+
 TEST_F(InspectSurvey, GivesEachEdgeAndTheCounts) {
     plan(30, 70);
     const json predicted = survey({"targets.txt", "--noise", "0.5mm"});

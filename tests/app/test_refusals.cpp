@@ -158,6 +158,14 @@ data_set | reproduce --net data.h5 -o new | data.h5:
 not_given | inspect | NET
 form_by_unknown_solver | form net.json -o old.csv --solver guess | --solver
 form_by_unknown_cone_form | form net.json -o old.csv --solver socp --cone-form big | --cone-form
+# suggestions
+without_a_survey | inspect net.json --suggest | --survey
+of_no_quantity | inspect net.json --survey survey.csv --suggest tension | what is sought is 'tension'
+cost_of_no_kind | inspect net.json --survey survey.csv --suggest --cost cell:2 | a kind of measurement is 'cell'
+cost_of_nothing | inspect net.json --survey survey.csv --suggest --cost load:0 | --cost is 'load:0'
+load_upwards | inspect net.json --survey survey.csv --suggest --load=-5N | --load is '-5N'
+# stages
+of_no_part | plan net.json result.json -o old.json --stages ridge:0% | --stages is 'ridge:0%'
 # prior
 of_form_above_the_shortest_length | form net.json --prior uniform:9m -o old.csv | net.json: the prior uniform:9000mm
 of_form_of_no_kind | form net.json --prior gauss:5mm -o old.csv | 'gauss:5mm'

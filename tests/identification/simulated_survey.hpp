@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <random>
+#include <set>
 
 #include "taut/identification/result.hpp"
 #include "taut/sampling/data_set.hpp"
@@ -78,6 +79,17 @@ inline void hide(const CableNet& net, Survey& survey, int node) {
     std::erase(survey.surveyed, node);
     survey.missing.insert(std::ranges::upper_bound(survey.missing, node), node);
     survey.form.col(node) = net.nodes().col(node);
+}
+
+/// A survey that is yet to be made, of all free nodes but some.
+inline Survey planned_survey(const CableNet& net, double noise_std,
+                             const std::set<int>& hidden = {}) {
+    Survey survey{.form = net.nodes(),
+                  .noise_std = Points::Constant(3, net.node_count(), noise_std)};
+    for (const int node : net.free_nodes()) {
+        (hidden.contains(node) ? survey.missing : survey.surveyed).push_back(node);
+    }
+    return survey;
 }
 
 }  // namespace taut::test

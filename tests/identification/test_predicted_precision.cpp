@@ -23,15 +23,6 @@ constexpr double noise_std = 0.5e-3;
 constexpr LengthPrior uniform_5mm{LengthPrior::Kind::uniform, 0.005};
 constexpr LengthPrior normal_3mm{LengthPrior::Kind::normal, 0.003};
 
-Survey survey_without(const CableNet& net, const std::set<int>& hidden) {
-    Survey survey{.form = net.nodes(),
-                  .noise_std = Points::Constant(3, net.node_count(), noise_std)};
-    for (const int node : net.free_nodes()) {
-        (hidden.contains(node) ? survey.missing : survey.surveyed).push_back(node);
-    }
-    return survey;
-}
-
 /// Free nodes within so many edges of one.
 std::set<int> region(const CableNet& net, int centre, int edges) {
     std::set<int> nodes{centre};
@@ -82,7 +73,7 @@ TEST(PredictedPrecision, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
     for (const int radius : {-1, 0, 2, 4}) {
         const std::set<int> hidden =
             radius < 0 ? std::set<int>() : region(net, net.free_nodes()[20], radius);
-        const Survey survey = survey_without(net, hidden);
+        const Survey survey = test::planned_survey(net, noise_std, hidden);
         const PredictedPrecision precision = predicted_precision(net, form, survey, normal_3mm);
         const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
         EXPECT_LT((stds(precision) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
@@ -127,8 +118,8 @@ TEST(PredictedPrecision, KnowsASlackEdge) {
     const int edge = CableNet(data).interior_edges()[3];
     data.unstressed_lengths(edge) *= 1.5;
     const CableNet net(data);
-    const PredictedPrecision precision =
-        predicted_precision(net, solve_equilibrium(net).form, survey_without(net, {}), uniform_5mm);
+    const PredictedPrecision precision = predicted_precision(
+        net, solve_equilibrium(net).form, test::planned_survey(net, noise_std), uniform_5mm);
     for (const EdgePrecision& e : precision.edges) {
         EXPECT_EQ(e.status == EdgeStatus::slack, e.edge == edge);
         if (e.edge == edge) {
@@ -139,13 +130,13 @@ TEST(PredictedPrecision, KnowsASlackEdge) {
 
 TEST(PredictedPrecision, RefusesASurveyOfNothingAndANetWithNothingToFind) {
     const CableNet net = hypar(3, 3);
-    Survey survey = survey_without(net, {});
+    Survey survey = test::planned_survey(net, noise_std);
     survey.surveyed.clear();
     EXPECT_THROW(static_cast<void>(predicted_precision(net, net.nodes(), survey, uniform_5mm)),
                  std::invalid_argument);
     const CableNet known = hypar(1, 1);
-    EXPECT_THROW(static_cast<void>(predicted_precision(known, known.nodes(),
-                                                       survey_without(known, {}), uniform_5mm)),
+    EXPECT_THROW(static_cast<void>(predicted_precision(
+                     known, known.nodes(), test::planned_survey(known, noise_std), uniform_5mm)),
                  std::invalid_argument);
 }
 

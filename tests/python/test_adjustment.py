@@ -189,6 +189,10 @@ JOBS = {
         ["--target-tension", "2kN", "--weights", "normal:0,tangential:0", "--objective", "largest"],
         lambda job: {"target_tension": 2e3, "weights": (0.0, 0.0), "objective": "largest"},
     ),
+    "stages": (
+        ["--stages", "ridge:50%"],
+        lambda job: {"stages": [("ridge", 0.5)]},
+    ),
     "suggestions": (
         ["--suggest-adjustable", "2", "--suggest-targets", "0.5mm", "--crews", "2"],
         lambda job: {"suggest_adjustable": 2, "suggest_targets": 0.5e-3, "crews": 2},

@@ -4,6 +4,7 @@
 
 import copy
 import json
+import pickle
 import subprocess
 import threading
 import time
@@ -170,6 +171,26 @@ def test_a_survey_is_predicted(net):
             taut.inspect(net, targets=targets)
     with pytest.raises(ValueError, match="noise: got -1 m"):
         taut.inspect(net, noise=-1.0)
+
+
+def test_measurements_are_suggested_by_their_worth(net):
+    found = taut.suggest_measurements(net, noise=0.5e-3, count=3)
+    left = [found.std, *(step["remaining_std"] for step in found.steps)]
+    assert left == sorted(left, reverse=True)
+    assert [step["total_cost"] for step in found.steps] == [1.0, 2.0, 3.0]
+    assert found.left_out[0].startswith("frequencies and sags: the net has no mass")
+    assert found.to_dict()["steps"] == found.steps
+    assert pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
+    dear = taut.suggest_measurements(net, costs={"load": 100, "load-cell": 1e5}, count=1, load=50.0)
+    assert [(step["kind"], step["expected"]) for step in dear.steps] == [("load", 50.0)]
+    some = net.free_nodes[::2]
+    form = taut.suggest_measurements(net, targets=some, quantity="form", costs={"target": 0.01})
+    assert form.steps[0]["kind"] == "target"
+    assert form.steps[0]["node"] not in some
+    with pytest.raises(ValueError, match="a kind of measurement is 'cell'"):
+        taut.suggest_measurements(net, costs={"cell": 1.0})
+    with pytest.raises(ValueError, match="what is sought is 'tension'"):
+        taut.suggest_measurements(net, quantity="tension")
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,18 @@ TEST(CableVibration, TensionsAreThoseOfFiniteElements) {
     }
 }
 
+TEST(CableVibration, FrequencyOfATensionIsItsInverse) {
+    const VibratingCable cable{.length = 1.7, .mass = 0.3, .bending_stiffness = 12.0};
+    for (const double tension : {0.0, 10.0, 5e3}) {
+        EXPECT_NEAR(
+            tension_of_frequency(cable, frequency_of_tension(cable, tension), 1, CableEnds::hinged),
+            tension, 1e-9 * (tension + 1.0));
+    }
+    EXPECT_THROW(static_cast<void>(frequency_of_tension(cable, -1.0)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(frequency_of_tension({.length = 1.0}, 1.0)),
+                 std::invalid_argument);
+}
+
 TEST(CableVibration, ABeamWithoutTensionHasNone) {
     const VibratingCable beam{.length = 1.0, .mass = 1.0, .bending_stiffness = 100.0};
     const double of_beam = std::pow(4.730040744862704, 2) * 10.0 / (2.0 * M_PI);

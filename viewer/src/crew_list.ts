@@ -4,7 +4,7 @@
 import { madeBar, madeCell, turnsText } from "./as_made";
 import { crewDrawing } from "./crew_drawing";
 import { h, section } from "./dom";
-import { counted, fixed } from "./format";
+import { counted, fixed, number } from "./format";
 import type { Model } from "./model";
 import { type Side, sideOf } from "./net_map";
 import type { Notebook } from "./notes";
@@ -52,6 +52,13 @@ function numbersOf(plan: Plan, turns: number[]): Map<number, string> {
   return numbers;
 }
 
+/** Which stage a pass belongs to, where there are stages. */
+function stageText(plan: Plan, pass: number): string {
+  const step = plan.turns.find((turn) => turn.pass === pass)?.step ?? -1;
+  const stage = (plan.order.stages ?? []).find((one) => step <= one.step);
+  return stage ? `, stage ${stage.name} to ${number(100 * stage.part)} %` : "";
+}
+
 function columnsOf({ plan, model, notebook }: Omit<Sheets, "columns">): Column[] {
   const { options } = plan;
   const some = (is: boolean, column: Column): Column[] => (is ? [column] : []);
@@ -66,6 +73,8 @@ function columnsOf({ plan, model, notebook }: Omit<Sheets, "columns">): Column[]
     { head: "stroke [mm]", cells: ({ stroke }) => [fixed(Math.abs(1e3 * stroke), 2)] },
     { head: "scale reading after [mm]", cells: ({ reading_after }) => [signed(1e3 * reading_after, 2)] },
     { head: "final tension [kN]", cells: ({ tension_after }) => [plan.draws > 0 ? fixed(tension_after / 1e3, 2) : "–"] },
+    ...some(plan.draws > 0 && plan.turns.some((turn) => (turn.frequency_after_step ?? null) !== null), {
+      head: "frequency then [Hz]", cells: ({ frequency_after_step: f }) => [f == null ? "–" : f.toPrecision(4)] }),
     { head: options.pitch === null ? "done, made [mm]" : "done, turns made", cells: (_, index) => madeCell(plan, index, notebook) },
   ];
 }
@@ -93,7 +102,7 @@ function sheet({ plan, model, notebook, side, columns, how }: Sheets, crew: numb
   const row = (index: number): HTMLElement => h("tr", {}, ...columns.map(({ head, isText, cells }) =>
     h(head === "cable" ? "th" : "td", { class: isText ? "text" : "", "data-label": head, ...(head === "cable" ? { scope: "row" } : {}) }, ...cells(plan.turns[index]!, index))));
   const bodies = passes.map((pass) => h("tbody", {},
-    plan.order.passes > 1 ? h("tr", { class: "pass" }, h("th", { colspan: columns.length, scope: "rowgroup" }, `Pass ${pass} of ${plan.order.passes}`)) : null,
+    plan.order.passes > 1 ? h("tr", { class: "pass" }, h("th", { colspan: columns.length, scope: "rowgroup" }, `Pass ${pass} of ${plan.order.passes}${stageText(plan, pass)}`)) : null,
     ...turns.filter((i) => plan.turns[i]!.pass === pass).map(row)));
   const drawing = h("div", { class: "scroll" });
   drawing.append(crewDrawing(model, side, numbersOf(plan, turns), plan.turns.filter((turn) => turn.crew === crew).map(({ edge }) => edge)));

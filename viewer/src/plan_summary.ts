@@ -87,6 +87,12 @@ function orderSentence(plan: Plan): string {
   const { order, turns } = plan;
   if (turns.length === 0) return "The crews have no work.";
   const work = `Order of work: ${order.passes} ${order.passes === 1 ? "pass" : "passes"}, ${counted(order.crews, "crew")}, ${number(order.walk)} m of walking.`;
+  const stages = (order.stages ?? []).map((one) => ` After stage ${one.name}, ${number(100 * one.part)} % of its strokes: ${number(one.least_tension / 1e3)} to ${number(one.most_tension / 1e3)} kN, no limit broken until then with a probability of ${percent(one.safe_probability)} %.`).join("");
+  return workSentence(plan, work) + stages;
+}
+
+function workSentence(plan: Plan, work: string): string {
+  const { order } = plan;
   if (order.safe) return `${work} No step breaks a limit that was kept before the work${orderProbability(plan)}.`;
   const sure = orderProbability(plan) ? ` Its steps break no limit${orderProbability(plan)}.` : "";
   const worst = order.worst ? ` The worst is step ${order.worst.step + 1}: ${breachWords(order.worst.breach)}${order.worst.breach.probability > 0 ? `, kept with a probability of ${percent(order.worst.breach.probability)} %` : ""}.` : "";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "taut/adjustment/limits.hpp"
@@ -13,6 +14,12 @@
 #include "taut/export/adjustment.hpp"
 
 namespace taut {
+
+/// A stage of the work as it is given.
+struct GivenStage {
+    std::string group;  ///< of edges of the net
+    double part = 1.0;  ///< WorkStage::part
+};
 
 /// What a plan is to keep to and to find, in terms that need no net: groups go by their names.
 struct PlanRequest {
@@ -26,6 +33,7 @@ struct PlanRequest {
     std::vector<ReactionBound> reaction = {};  ///< all hold together
     std::vector<AddedLoads> load_cases = {};   ///< under each, all limits of forces hold as well
     int crews = 1;                             ///< TurnOrderOptions::crews
+    std::vector<GivenStage> stages = {};       ///< become TurnOrderOptions::stages
     int suggest_adjustable = 0;                ///< count of suggested_edges(); 0: none
     std::optional<Thread> thread = {};         ///< of all turnbuckles; empty: as in the net
     std::vector<GivenTension> target_tension = {};  ///< become options.target_tensions
@@ -68,10 +76,14 @@ struct PlannedTurns {
 };
 
 /// All of a plan: resolve(), plan_strokes(), order_turns() and, where asked for, suggested_edges().
+/// Turnings get the frequency of a string with hinged ends, of the mass and bending stiffness of
+/// the designed net.
 /// @param net as designed
 /// @param built the net as it stands
 /// @param target of the same net, which is not checked
-/// @throws what these throw, and RequestError for a negative suggest_adjustable
+/// @throws what these throw, and RequestError for a negative suggest_adjustable, and for a stage of
+/// a
+///   group that the net does not have or of which no edge may be turned
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT PlannedTurns plan_turns(const CableNet& net,
                                                              const BuiltNet& built,
                                                              const FormTarget& target,

@@ -34,7 +34,8 @@ struct PlanRecord {
 /// The work list of the crews, one line per turning in the order of the work: number (from 1),
 /// crew, pass, step (from 1), edge, id of the support at the edge's end (empty where it has none),
 /// action, rotation (empty without thread), turns, stroke [mm], scale reading afterwards [mm],
-/// tension after all work [kN]. Lines with # before it hold plan_warnings().
+/// tension after all work [kN], first natural frequency of the edge after this step [Hz]. Lines
+/// with # before it hold plan_warnings().
 [[nodiscard]] TAUT_IO_EXPORT std::string plan_to_csv(const PlanRecord& record);
 
 /// "shorten", or "lengthen" for 0 and more.

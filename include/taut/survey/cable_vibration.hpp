@@ -18,6 +18,12 @@ struct VibratingCable {
     double bending_stiffness = 0.0;  ///< EI; 0: a string [N m2]
 };
 
+/// An edge as a cable that vibrates; mass and bending stiffness are 0 where the net has none.
+/// @param form in which it vibrates (3 x n) [m]
+/// @throws std::invalid_argument for an edge out of range
+[[nodiscard]] TAUT_CORE_EXPORT VibratingCable vibrating_cable(const CableNet& net,
+                                                              const Points& form, int edge);
+
 /// The tension of a cable with a natural frequency of transverse vibration, docs/theory.md
 /// (frequency). Hinged ends: T = m (2 l f / n)^2 - EI (n pi / l)^2. Fixed ends: the root of the
 /// characteristic equation of a beam under tension (A. Bokaian, J. Sound Vib. 142 (1990) 481-498).
@@ -29,6 +35,13 @@ struct VibratingCable {
 [[nodiscard]] TAUT_CORE_EXPORT double tension_of_frequency(const VibratingCable& cable,
                                                            double frequency, int mode,
                                                            CableEnds ends);
+
+/// The first natural frequency of a cable with hinged ends under a tension of 0 or more, the
+/// inverse of tension_of_frequency() [Hz].
+/// @throws std::invalid_argument for a length or mass that is not positive, a negative tension or
+///   bending stiffness
+[[nodiscard]] TAUT_CORE_EXPORT double frequency_of_tension(const VibratingCable& cable,
+                                                           double tension);
 
 /// A natural frequency of an edge.
 struct FrequencyMeasurement {

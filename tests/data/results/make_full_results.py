@@ -282,6 +282,18 @@ def full_plan(folder, net):
     plan["warnings"] = ["made up"]
     plan["limits_given"] = True
     plan["order"]["safe_probability"] = 0.5
+    plan["order"]["stages"] = [
+        {
+            "name": "made up",
+            "part": 0.5,
+            "step": 0,
+            "least_tension": 3000.0,
+            "most_tension": 5000.0,
+            "safe_probability": 0.75,
+        }
+    ]
+    for turn in plan["turns"]:
+        turn["frequency_after_step"] = 17.5
     plan["tolerance"].update(reached=False, fewest_bound=2)
     for edge in plan["tension"]["edges"]:
         edge.update(lower=0.9 * edge["planned"], upper=1.1 * edge["planned"])
