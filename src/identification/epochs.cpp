@@ -434,7 +434,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                                : std::vector<Epoch>(epochs.begin(), epochs.end());
     const double least_actuator_std =
         net.adjustable_edges().empty() ? 0.0 : small_actuator_std(scaled);
-    constexpr double left_of_own = 0.5;  // by trial: of two surveys' most cancels
+    // By trial: of two surveys' most cancels, but not where a load moves the edges in between.
+    const double left_of_own = std::ranges::any_of(epochs, &Epoch::is_loaded) ? 1.0 : 0.5;
     const IdentifyOptions to_compare = with_own_widths(net, options, left_of_own);
     EpochChain each(net, scaled, to_compare, prior, least_actuator_std);
     const bool is_compared = each.find_changes(progress);
