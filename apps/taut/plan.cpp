@@ -313,11 +313,17 @@ void print_order(const PlanRecord& record) {
     }
     int first = 1;
     for (const StageEnd& stage : order.stages) {
-        say("  stage {}, {:g} % of the strokes: steps {} to {}, then tensions of {:.3g} to {:.3g} "
-            "kN; no "
-            "limit broken until then: {:.1f} %\n",
+        if (stage.step + 1 < first) {
+            say("  stage {}: nothing to turn\n", stage.name);
+            continue;
+        }
+        say("  stage {}, to {:g} % of its strokes: steps {} to {}, then {:.3g} to {:.3g} kN{}\n",
             stage.name, 100.0 * stage.part, first, stage.step + 1, 1e-3 * stage.least_tension,
-            1e-3 * stage.most_tension, 100.0 * stage.safe_probability);
+            1e-3 * stage.most_tension,
+            plan.draws > 0
+                ? fmt::format("; probability that no step until then breaks a limit: {:.1f} %",
+                              100.0 * stage.safe_probability)
+                : "");
         first = stage.step + 2;
     }
     if (!order.is_safe && order.worst.step >= 0) {

@@ -28,7 +28,8 @@ std::string expected_text(const SuggestedMeasurement& one) {
         case MeasurementKind::sag:
             return fmt::format("{:.3g} mm", 1e3 * one.expected);
         case MeasurementKind::load:
-            return fmt::format("{:.3g} N down", one.expected);
+            return one.expected < 1e3 ? fmt::format("{:.3g} N down", one.expected)
+                                      : fmt::format("{:.4g} kN down", 1e-3 * one.expected);
         case MeasurementKind::target:
             break;
     }
@@ -131,7 +132,7 @@ std::string suggestions_text(const CableNet& net, const MeasurementSuggestions& 
     std::string text = fmt::format("{}: std {} after the survey{}\n", name,
                                    std_text(suggestions.std), is_form ? ", RMS" : "");
     if (suggestions.steps.empty()) {
-        text += "  no further measurement lowers it by 1 %\n";
+        text += "  no further measurement by itself lowers it by 1 %\n";
     } else {
         text += fmt::format(
             "  measure next, each with those above it:\n  {:<12}{:<16}{:>14}{:>16}{:>10}\n", "kind",

@@ -151,7 +151,10 @@ DrawnWork OrderWork::drawn(
     PerThread<StrokeResponse> workspaces([&] { return m_response.front().response.fresh(); });
     using Break = std::tuple<int, Eigen::Index, bool>;  // step, force, whether it is too small
     std::vector<std::vector<Break>> breaks(static_cast<size_t>(draws()));
-    std::vector<char> has_no_form = m_has_no_form;  // their forces are not predicted
+    // Step at which there is no form; -1: none. Without one before or after the work, no force is
+    // predicted.
+    std::vector<int> lost(static_cast<size_t>(draws()));
+    std::ranges::transform(m_has_no_form, lost.begin(), [](char has) { return has != 0 ? 0 : -1; });
     parallel_for(Eigen::Index{0}, draws(), [&](Eigen::Index d) {
         DrawnResponse response(*m_built, d, workspaces.local());
         // A stroke that is done in part has that part of its error.
@@ -169,7 +172,7 @@ DrawnWork OrderWork::drawn(
             const StrokedNet net =
                 response.at(strokes + relative_error.cwiseProduct(strokes), near);
             if (!net.equilibrium.balanced()) {
-                has_no_form[static_cast<size_t>(d)] = 1;
+                lost[static_cast<size_t>(d)] = static_cast<int>(i);
                 break;
             }
             const Eigen::VectorXd excess =
@@ -186,8 +189,11 @@ DrawnWork OrderWork::drawn(
     DrawnWork result;
     std::map<Break, int> count;
     for (size_t d = 0; d < breaks.size(); ++d) {
-        const int first = breaks[d].empty() ? -1 : std::get<0>(breaks[d].front());
-        result.first_broken.push_back(has_no_form[d] != 0 ? 0 : first);
+        int first = lost[d];
+        if (!breaks[d].empty() && (first < 0 || std::get<0>(breaks[d].front()) < first)) {
+            first = std::get<0>(breaks[d].front());
+        }
+        result.first_broken.push_back(first);
         result.kept += result.first_broken.back() < 0 ? 1 : 0;
         for (const Break& one : breaks[d]) {
             ++count[one];

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "adjustment/tension_targets.hpp"
 #include "statics/arguments.hpp"
@@ -125,6 +126,7 @@ std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& tu
                                  const std::vector<GivenStage>& given) {
     std::vector<WorkStage> stages;
     stages.reserve(given.size());
+    std::map<int, double> done_of;
     for (const GivenStage& one : given) {
         const std::vector<int>& edges = edges_of_group(net, one.group, "stages");
         if (std::ranges::none_of(
@@ -132,6 +134,23 @@ std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& tu
             throw RequestError(
                 "stages",
                 fmt::format("is of the group '{}', but no edge of that may be turned", one.group));
+        }
+        if (!(one.part > 0.0 && one.part <= 1.0)) {
+            throw RequestError(
+                "stages", fmt::format("asks for {:g} of the strokes of '{}', expected above 0, "
+                                      "at most 1",
+                                      one.part, one.group));
+        }
+        for (const int edge : edges) {
+            double& done = done_of[edge];
+            if (one.part <= done) {
+                throw RequestError(
+                    "stages",
+                    fmt::format("asks for {:g} % of the strokes of '{}', but a stage before has "
+                                "done {:g} % of that of edge '{}'",
+                                100.0 * one.part, one.group, 100.0 * done, net.edge_id(edge)));
+            }
+            done = one.part;
         }
         stages.push_back({.name = one.group, .edges = edges, .part = one.part});
     }
@@ -262,9 +281,8 @@ PlannedTurns plan_turns(const CableNet& net, const BuiltNet& built, const FormTa
                                .seed = turns.options.seed},
                               progress);
     for (Turning& turning : turns.order.turnings) {
-        VibratingCable cable = vibrating_cable(net, net.nodes(), turning.edge);
-        cable.length = turning.length;
-        turning.frequency = cable.mass > 0.0 ? frequency_of_tension(cable, turning.tension) : 0.0;
+        turning.frequency =
+            expected_frequency(net, turning.edge, turning.length, turning.tension).value_or(0.0);
     }
     if (request.suggest_adjustable > 0) {
         turns.suggested_adjustable =

@@ -92,8 +92,9 @@ std::vector<Pass> passes_of(const Plan& plan, const std::vector<WorkStage>& stag
 struct PassAttempt {
     TurnOrder order;
     States states;
-    double excess = 0.0;  ///< of the estimate, the most at any step [mean tensions]
-    int kept = 0;         ///< samples in which no step breaks a limit, predicted until judged
+    double excess = 0.0;    ///< of the estimate, the most at any step [mean tensions]
+    int first_broken = -1;  ///< step at which the estimate breaks a limit first
+    int kept = 0;           ///< samples in which no step breaks a limit, predicted until judged
     bool is_judged = false;
     [[nodiscard]] bool is_better_than(const PassAttempt& other) const {
         return std::tuple(excess, -kept) < std::tuple(other.excess, -other.kept);
@@ -191,6 +192,9 @@ PassAttempt try_passes(OrderWork& work, const Plan& plan,
                 strokes(j) = goal(j);
                 left[crew].erase(left[crew].begin() + static_cast<std::ptrdiff_t>(next.at));
             }
+            if (next.harm.excess > 0.0 && result.first_broken < 0) {
+                result.first_broken = step;
+            }
             if (next.harm.excess > result.excess) {
                 result.excess = next.harm.excess;
                 result.order.worst = {.step = step, .breach = work.worst_breach(next.net)};
@@ -228,7 +232,8 @@ void judge(const OrderWork& work, const TurnOrderOptions& options, PassAttempt& 
     order.safe_probability = order.is_safe ? 1.0 : 0.0;
     if (work.draws() == 0) {
         for (StageEnd& stage : order.stages) {
-            stage.safe_probability = order.is_safe || order.worst.step > stage.step ? 1.0 : 0.0;
+            const bool is_kept = attempt.first_broken < 0 || attempt.first_broken > stage.step;
+            stage.safe_probability = order.is_safe || is_kept ? 1.0 : 0.0;
         }
         return;
     }

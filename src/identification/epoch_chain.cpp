@@ -122,8 +122,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
                             .survey = &epochs[k].survey,
                             .turned = &epochs[k].turned,
                             .loads = &epochs[k].loads,
-                            .kept = first_prior(stds),
-                            .passing = Eigen::VectorXd::Zero(size()),
+                            .prior = first_prior(stds),
                             .added = Eigen::VectorXd::Zero(size()),
                             .earlier = no_evidence(size()),
                             .later = no_evidence(size()),
@@ -138,25 +137,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
             add_variance(k, one.edge, one.std);
         }
     }
-    set_passing();
     let_go(changes);
-}
-
-/// (passing): at another tension than in the design, a stiffness of its own is another length.
-void EpochChain::set_passing() {
-    const Eigen::VectorXd stds = own_stiffness_stds(m_net, m_uncertain);
-    const auto stretch = [](const CableNet& net) {
-        return Eigen::VectorXd(
-            (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0));
-    };
-    const Eigen::VectorXd designed = stretch(m_states[static_cast<size_t>(m_reported)].net);
-    for (State& state : m_states) {
-        const Eigen::VectorXd change = stds.cwiseProduct(stretch(state.net) - designed);
-        for (size_t i = 0; i < m_edges.size(); ++i) {
-            const double std = change(m_edges[i]);
-            state.passing(static_cast<Eigen::Index>(i)) = std * std;
-        }
-    }
 }
 
 bool EpochChain::is_adjustable(int edge) const {
@@ -181,18 +162,15 @@ void EpochChain::add_variance(size_t k, int edge, double std) {
     const Eigen::Index place = place_of(edge);
     m_states[k].added(place) += std * std;
     for (size_t j = k; j < m_states.size(); ++j) {
-        m_states[j].kept(place) += std * std;
+        m_states[j].prior(place) += std * std;
     }
 }
 
 EpochStep EpochChain::step_from(size_t k) const {
-    const State& from = m_states[k];
-    const State& to = m_states[k + 1];
-    EpochStep step{.factor = from.kept.cwiseQuotient(from.prior()),  // (passing)
-                   .added = {},
-                   .prior_from = from.prior(),
-                   .prior_to = to.prior()};
-    step.added = to.added + to.passing + from.passing.cwiseProduct(step.factor);
+    EpochStep step{.factor = Eigen::VectorXd::Ones(size()),
+                   .added = m_states[k + 1].added,
+                   .prior_from = m_states[k].prior,
+                   .prior_to = m_states[k + 1].prior};
     auto place = static_cast<Eigen::Index>(m_edges.size());
     for (const UncertainParameter& parameter : m_uncertain) {
         if (parameter.kind == UncertainParameter::Kind::temperature) {  // another day
@@ -227,11 +205,10 @@ Given EpochChain::given(int k) const {
     if (k == m_reported) {
         result.forces = m_options.forces;
     }
-    constexpr double a_little_more = 1.05;  // a prior keeps its shape
-    const Eigen::VectorXd variances = state.prior();
+    constexpr double a_little_more = 1.0 + 1e-6;
     result.own_stds = Eigen::VectorXd::Zero(m_net.edge_count());
     for (size_t i = 0; i < m_edges.size(); ++i) {
-        const double std = std::sqrt(variances(static_cast<Eigen::Index>(i)));
+        const double std = std::sqrt(state.prior(static_cast<Eigen::Index>(i)));
         if (is_adjustable(m_edges[i]) || std > a_little_more * m_prior.std()) {
             result.own_stds(m_edges[i]) = std;
         }
@@ -305,14 +282,14 @@ bool EpochChain::find_changes(const Progress& progress) {
     if (!has_converged()) {
         return false;
     }
-    find_changes_at(0, EvidenceTest(m_states[0].prior(), no_evidence(size()), m_states[0].own),
+    find_changes_at(0, EvidenceTest(m_states[0].prior, no_evidence(size()), m_states[0].own),
                     m_has_actuator_std ? m_net.adjustable_edges() : std::vector<int>());
     for (size_t k = 1; k < m_states.size(); ++k) {
         State& before = m_states[k - 1];
         State& state = m_states[k];
         progress("comparing surveys", static_cast<int>(k), count());
         state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
-        find_changes_at(k, EvidenceTest(state.prior(), state.earlier, state.own), m_edges);
+        find_changes_at(k, EvidenceTest(state.prior, state.earlier, state.own), m_edges);
         // A change that was let go is not evidence for later surveys.
         state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
     }

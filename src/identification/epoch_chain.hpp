@@ -95,21 +95,16 @@ private:
         const Survey* survey;
         const std::vector<EdgeTurned>* turned;  ///< since the survey before
         const Points* loads;                    ///< Epoch::loads
-        Eigen::VectorXd kept;                   ///< prior variances of what is kept of x
-        Eigen::VectorXd passing;                ///< prior variances of x at this survey alone
+        Eigen::VectorXd prior;                  ///< prior variances of x
         Eigen::VectorXd added;                  ///< variances of x since the survey before
         LengthEvidence earlier;                 ///< by the surveys before
         LengthEvidence later;                   ///< by the surveys after
         LengthEvidence own;
         Identification found;
-
-        /// Prior variances of x.
-        [[nodiscard]] Eigen::VectorXd prior() const { return kept + passing; }
     };
     [[nodiscard]] Eigen::Index size() const {
         return static_cast<Eigen::Index>(m_edges.size()) + m_common;
     }
-    void set_passing();
     [[nodiscard]] bool is_adjustable(int edge) const;
     [[nodiscard]] Eigen::Index place_of(int edge) const;  ///< in x
     [[nodiscard]] EpochStep step_from(size_t k) const;    ///< to the next

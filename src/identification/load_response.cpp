@@ -8,6 +8,7 @@
 
 #include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -65,7 +66,7 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
 class FreeStiffness {
 public:
     FreeStiffness(const CableNet& net, const Rates& rates) : m_net(net) {
-        constexpr double smallest_relative_stiffness = 1e-10;  // holds loose nodes
+        constexpr double part_that_holds_loose_nodes = 1e-10;
         Triplets entries;
         const Eigen::Index count = Eigen::Index{3} * net.free_node_count();
         double trace = 0.0;
@@ -83,7 +84,7 @@ public:
                 }
             }
         }
-        const double hold = smallest_relative_stiffness * trace / static_cast<double>(count);
+        const double hold = part_that_holds_loose_nodes * trace / static_cast<double>(count);
         for (int i = 0; i < count; ++i) {
             entries.emplace_back(i, i, hold);
         }
@@ -129,13 +130,13 @@ Eigen::MatrixXd own_stiffness_forces(const StaticsModel& model, const StaticsMod
     const CableNet& net = model.net();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * net.node_count(), net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        if (model.slack[e] || loaded.slack[e]) {
+        if (loaded.slack[e]) {
             continue;
         }
         const EdgeRates rates = loaded.rates(e, under_load);
-        const Eigen::Vector3d force = model.own_stiffness_stds()(e) *
-                                      (rates.tension - model.rates(e, iterate).tension) *
-                                      rates.direction;
+        const double without = model.slack[e] ? 0.0 : model.rates(e, iterate).tension;
+        const Eigen::Vector3d force =
+            model.own_stiffness_stds()(e) * (rates.tension - without) * rates.direction;
         const auto [s, t] = net.edges()[e];
         result.col(e).segment<3>(Eigen::Index{3} * s) = force;
         result.col(e).segment<3>(Eigen::Index{3} * t) = -force;
@@ -187,6 +188,16 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     if (!equilibrium.balanced()) {
         return std::nullopt;
     }
+    const Eigen::VectorXd under = tensions(net, net.unstressed_lengths(), equilibrium.form);
+    const Eigen::VectorXd& designed = planned.tensions();
+    const double highest = 2.0 * designed.maxCoeff();
+    const Eigen::VectorXd& breaking = net.data().breaking_load;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (under(e) > (breaking.size() > 0 ? breaking(e) : highest) ||
+            (designed(e) > 0.0 && !(under(e) > 0.0))) {
+            return std::nullopt;
+        }
+    }
     const CableNet fit_net = loaded_net(planned.fit_net());
     const StaticsModel loaded = designed_model(fit_net, equilibrium.form, planned.knowledge(),
                                                planned.knowledge().length_std());
@@ -202,12 +213,19 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
         of_free.block<3, 3>(Eigen::Index{3} * i, Eigen::Index{3} * net.free_nodes()[i]) +=
             Eigen::Matrix3d::Identity();
     }
-    int k = Columns(loaded).common;
+    const int first_common = Columns(loaded).common;
+    int k = first_common;
+    Eigen::MatrixXd of_another_day = Eigen::MatrixXd::Zero(of_free.rows(), loaded.common.count());
     for (const UncertainParameter& one : planned.knowledge().uncertain) {
         if (one.kind == UncertainParameter::Kind::test_loads) {
             Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * net.node_count());
             force(3 * node + 2) = -load * one.std;
             of_free.col(k) += stiffness.places_by(force);
+        }
+        if (one.kind == UncertainParameter::Kind::temperature) {
+            const Eigen::VectorXd heated = stiffness.places_by(Eigen::MatrixXd(rates.col(k)));
+            of_another_day.col(k - first_common) = heated;
+            of_free.col(k) += heated;
         }
         k += is_common(one) ? 1 : 0;
     }
@@ -217,7 +235,8 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
         at_targets(net, survey,
                    stiffness.places_by(own_stiffness_forces(planned.model(), loaded,
                                                             planned.iterate(), under_load)));
-    result.noise = own * own.transpose();
+    const Eigen::MatrixXd heated = at_targets(net, survey, of_another_day);
+    result.noise = own * own.transpose() + heated * heated.transpose();
     const Points noise = with_noise_floor(net, survey);
     for (size_t i = 0; i < survey.surveyed.size(); ++i) {
         const Eigen::Vector3d variances = noise.col(survey.surveyed[i]).cwiseAbs2();
@@ -239,7 +258,7 @@ std::vector<int> nodes_to_load(const PlannedFit& planned) {
         force(3 * node + 2) = 0.0;
     }
     std::ranges::sort(by_softness);
-    constexpr size_t most = 12;
+    constexpr size_t most = 8;
     const size_t count = std::min(most, by_softness.size());
     std::vector<int> result;
     result.reserve(count);

@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimation/length_trend.hpp"
 #include "estimation/observations.hpp"
 #include "identification/parameter_estimates.hpp"
+#include "numerics/dense.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -26,7 +28,7 @@ StaticsModel designed_model(const CableNet& fit_net, const Points& form,
 PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& survey,
                        const LengthPrior& prior, const Forces& forces,
                        const std::vector<UncertainParameter>& uncertain)
-    : m_net(net) {
+    : m_net(net), m_prior(prior) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
             "the net has no interior edge: all unstressed lengths are known");
@@ -47,10 +49,36 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
     design.form = form;
     const std::vector<bool> none_rejected(net.node_count(), false);
     const Survey seen = with_supports(*m_fit_net, survey);
-    m_fit = linearised_fit(model, std::move(design),
-                           observe(*m_fit_net, seen, with_noise_floor(net, seen), none_rejected,
-                                   *m_knowledge, common));
+    m_observations =
+        observe(*m_fit_net, seen, with_noise_floor(net, seen), none_rejected, *m_knowledge, common);
+    m_observations.mean.setZero();
+    m_adjustable_stds = adjustable_stds(net, uncertain)(m_fit_net->interior_edges());
+    m_fit = linearised_fit(model, std::move(design), m_observations);
     m_tensions = m_fit->model().tensions(m_fit->iterate);
+}
+
+Eigen::MatrixXd PlannedFit::joint_covariance(bool with_trend) const {
+    Eigen::MatrixXd result = linearisation().joint_covariance();
+    if (!with_trend) {
+        return result;
+    }
+    std::vector<bool> left_out;
+    for (size_t i = 0; i < m_knowledge->priors.size(); ++i) {
+        left_out.push_back(m_knowledge->priors[i] != m_prior ||
+                           model().slack[m_fit_net->interior_edges()[i]]);
+    }
+    const LengthTrend trend =
+        trend_of(*m_fit, m_observations, left_out, m_adjustable_stds, m_prior);
+    if (trend.empty()) {
+        return result;
+    }
+    const Eigen::Index lengths = m_fit_net->interior_edge_count();
+    const Eigen::MatrixXd pulls =
+        model().prior_variances(m_observations).cwiseInverse().asDiagonal() *
+        (trend.columns * trend.root);
+    const Eigen::MatrixXd gains =
+        product(result.middleCols(Eigen::Index{3} * m_net.node_count(), lengths), pulls);
+    return result + product(gains, gains.transpose());
 }
 
 }  // namespace taut

@@ -39,6 +39,10 @@ public:
     [[nodiscard]] const Linearisation& linearisation() const { return m_fit->linearisation; }
     [[nodiscard]] const StaticsModel& model() const { return m_fit->model(); }
     [[nodiscard]] const Covariance& covariance() const { return m_fit->covariance; }
+    /// Of all unknowns, as Linearisation::joint_covariance().
+    /// @param with_trend with what lengths have in common, (length-trend), as identify() has it
+    ///   unless its prior is exact
+    [[nodiscard]] Eigen::MatrixXd joint_covariance(bool with_trend) const;
     /// The design.
     [[nodiscard]] const Iterate& iterate() const { return m_fit->iterate; }
     /// As designed, of all edges (m) [N].
@@ -52,6 +56,9 @@ private:
     const CableNet& m_net;
     std::optional<CableNet> m_fit_net;
     std::optional<PriorKnowledge> m_knowledge;
+    Observations m_observations;
+    Eigen::VectorXd m_adjustable_stds;  ///< m_I of the net to fit [m]
+    LengthPrior m_prior;
     std::optional<LinearisedFit> m_fit;
     Eigen::VectorXd m_tensions;
 };

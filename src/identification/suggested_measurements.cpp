@@ -71,6 +71,7 @@ struct Candidate {
         if (is_load()) {
             with_all = product(load_rates, C);
             variances = noise + product(with_all, load_rates.transpose());
+            noise.resize(0, 0);
         }
     }
     /// After C has lost E'E.
@@ -179,10 +180,11 @@ private:
     void add_frequencies() {
         int refused = 0;
         for_taut_edges([&](int e, double tension) {
+            const auto [s, t] = net().edges()[e];
+            const double length = (form().col(s) - form().col(t)).norm();
+            const double frequency = expected_frequency(net(), e, length, tension).value_or(0.0);
+            const double std = m_options.frequency_std * frequency;
             try {
-                const double frequency =
-                    frequency_of_tension(vibrating_cable(net(), form(), e), tension);
-                const double std = m_options.frequency_std * frequency;
                 add_force({.kind = MeasurementKind::frequency, .expected = frequency, .std = std},
                           tension_by_frequency(net(), form(),
                                                {.edge = e, .frequency = frequency, .std = std},
@@ -266,8 +268,11 @@ private:
             }
         }
         if (refused > 0) {
-            left_out.push_back(fmt::format("loads at {} nodes: no equilibrium was found under {} N",
-                                           refused, load));
+            left_out.push_back(
+                fmt::format("a load of {:g} N at {} of {} nodes: cables would go slack or be "
+                            "overloaded (more than twice the highest designed tension, or the "
+                            "breaking load)",
+                            load, refused, nodes.size()));
         }
     }
 
@@ -348,8 +353,12 @@ private:
     Eigen::VectorXd m_variances;    ///< of the sought numbers
 };
 
-/// An edge has one force measurement; a node one target, and a load once.
-bool is_same_place(const SuggestedMeasurement& a, const SuggestedMeasurement& b) {
+/// An edge has one force measurement, a node one target, a net one load: what is not known of
+/// stiffnesses is the same under another.
+bool exclude_each_other(const SuggestedMeasurement& a, const SuggestedMeasurement& b) {
+    if (a.kind == MeasurementKind::load) {
+        return a.kind == b.kind;
+    }
     return a.edge >= 0 ? a.edge == b.edge : a.node == b.node && a.kind == b.kind;
 }
 
@@ -377,7 +386,11 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
                                               const std::vector<UncertainParameter>& uncertain,
                                               const SuggestOptions& options) {
     check(options);
-    constexpr int most_unknowns = 6'000;
+    if (survey.is_exact()) {
+        throw std::invalid_argument(
+            "measurements are suggested for a survey with noise (standard deviations): give it");
+    }
+    constexpr int most_unknowns = 3'000;  // a load then takes some 0.1 GB
     const int unknowns = 3 * net.node_count() + net.edge_count();
     if (unknowns > most_unknowns) {
         throw std::invalid_argument(
@@ -396,7 +409,7 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
             : uncertain);
     Candidates candidates(planned, survey, options);
     const Sought numbers = sought(planned, options.quantity);
-    Update update(planned.linearisation().joint_covariance(), numbers);
+    Update update(planned.joint_covariance(options.assume_site), numbers);
     MeasurementSuggestions result{.quantity = options.quantity,
                                   .mean_tension = planned.tensions().mean(),
                                   .std = update.std(),
@@ -435,8 +448,9 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
         step.remaining_std = update.std();
         step.total_cost = total_cost;
         result.steps.push_back(step);
-        std::erase_if(candidates.all,
-                      [&](const Candidate& one) { return is_same_place(taken.what, one.what); });
+        std::erase_if(candidates.all, [&](const Candidate& one) {
+            return exclude_each_other(taken.what, one.what);
+        });
         for (Candidate& one : candidates.all) {
             one.update(explained);
         }

@@ -43,7 +43,8 @@ Description<StageEnd> describe(const StageEnd* /*type*/) {
     return Description<StageEnd>("stage", "A part of the work, done before the next begins.")
         .key("name", &StageEnd::name, "Group of edges; rest: what no stage holds.")
         .key("part", &StageEnd::part, part, "Of the strokes of its edges.")
-        .key("step", &StageEnd::step, "The last one of the stage, from 0; -1: none so far.")
+        .key("step", TAUT_VALUE(when(it.step >= 0, it.step)),
+             "The last one of the stage, from 0; null: nothing was turned so far.")
         .key("least_tension", &StageEnd::least_tension, size,
              "At its end, over all edges, in the estimate [N].")
         .key("most_tension", &StageEnd::most_tension, size)
@@ -73,7 +74,7 @@ Description<ListedTurning> describe(const ListedTurning* /*type*/) {
                "Of the edge after this step [N].")
         .newer("frequency_after_step",
                TAUT_VALUE(when(it.turning.frequency > 0.0, it.turning.frequency)), size,
-               "Its first natural one then, as a string; null without a mass [Hz].")
+               "Its first natural one then; null without a mass, or where it is no string [Hz].")
         .key("tension_after", &Turn::tension_after, size, "When all is done [N].");
 }
 

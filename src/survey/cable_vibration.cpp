@@ -46,16 +46,6 @@ double fixed_ends(double omega, int mode) {
     return std::pow(omega / a, 2) - a * a;
 }
 
-[[noreturn]] void refuse_cable(const VibratingCable& cable, const std::string& of_what) {
-    throw std::invalid_argument(
-        fmt::format("a cable of {} m, {} kg/m and EI {} N m2 with {}, expected positive numbers",
-                    cable.length, cable.mass, cable.bending_stiffness, of_what));
-}
-
-bool is_cable(const VibratingCable& cable) {
-    return cable.length > 0.0 && cable.mass > 0.0 && cable.bending_stiffness >= 0.0;
-}
-
 /// Between two ends of a range, all of it alike.
 struct Range {
     double least;
@@ -84,8 +74,12 @@ VibratingCable vibrating_cable(const CableNet& net, const Points& form, int edge
 
 double tension_of_frequency(const VibratingCable& cable, double frequency, int mode,
                             CableEnds ends) {
-    if (!is_cable(cable) || !(frequency > 0.0) || mode < 1) {
-        refuse_cable(cable, fmt::format("{} Hz in mode {}", frequency, mode));
+    if (!(frequency > 0.0) || !(cable.length > 0.0) || !(cable.mass > 0.0) ||
+        !(cable.bending_stiffness >= 0.0) || mode < 1) {
+        throw std::invalid_argument(fmt::format(
+            "a cable of {} m, {} kg/m and EI {} N m2 with {} Hz in mode {}, expected positive "
+            "numbers",
+            cable.length, cable.mass, cable.bending_stiffness, frequency, mode));
     }
     const double l = cable.length;
     const double EI = cable.bending_stiffness;
@@ -97,19 +91,12 @@ double tension_of_frequency(const VibratingCable& cable, double frequency, int m
     return fixed_ends(omega, mode) * EI / (l * l);
 }
 
-double frequency_of_tension(const VibratingCable& cable, double tension) {
-    if (!is_cable(cable) || !(tension >= 0.0)) {
-        refuse_cable(cable, fmt::format("{} N", tension));
-    }
-    const double stiffened = tension + cable.bending_stiffness * std::pow(pi / cable.length, 2);
-    return std::sqrt(stiffened / cable.mass) / (2.0 * cable.length);
-}
+namespace {
 
-ForceMeasurement tension_by_frequency(const CableNet& net, const Points& form,
-                                      const FrequencyMeasurement& measured,
-                                      double free_length_std) {
+ForceMeasurement tension_of_cable(const CableNet& net, const VibratingCable& cable,
+                                  const FrequencyMeasurement& measured, double free_length_std) {
     const int edge = measured.edge;
-    const auto [length, mass, given] = vibrating_cable(net, form, edge);
+    const auto [length, mass, given] = cable;
     if (!(mass > 0.0)) {
         refuse_frequency(net, edge, "needs its mass: the net has none of it (mass [kg/m])");
     }
@@ -164,6 +151,36 @@ ForceMeasurement tension_by_frequency(const CableNet& net, const Points& form,
             .source = ForceSource::frequency,
             .mode = measured.mode,
             .shared_std = std::hypot(of_ends.std(), of_sag.std() * found)};
+}
+
+}  // namespace
+
+ForceMeasurement tension_by_frequency(const CableNet& net, const Points& form,
+                                      const FrequencyMeasurement& measured,
+                                      double free_length_std) {
+    return tension_of_cable(net, vibrating_cable(net, form, measured.edge), measured,
+                            free_length_std);
+}
+
+std::optional<double> expected_frequency(const CableNet& net, int edge, double length,
+                                         double tension) {
+    VibratingCable cable = vibrating_cable(net, net.nodes(), edge);
+    cable.length = length;
+    if (!(cable.mass > 0.0) || !(length > 0.0) || !(tension > 0.0)) {
+        return std::nullopt;
+    }
+    double frequency = std::sqrt(tension / cable.mass) / (2.0 * length);  // of a string
+    constexpr int steps = 30;  // the tension is nearly its square: each gains some digits
+    try {
+        for (int k = 0; k < steps; ++k) {
+            const ForceMeasurement found = tension_of_cable(
+                net, cable, {.edge = edge, .frequency = frequency, .std = 0.01 * frequency}, 0.0);
+            frequency *= std::sqrt(tension / found.tension);
+        }
+    } catch (const std::invalid_argument&) {  // its own check says whether it is a string
+        return std::nullopt;
+    }
+    return frequency;
 }
 
 }  // namespace taut

@@ -573,6 +573,35 @@ TEST(Epochs, AKnownLoadShowsTheStiffness) {
     EXPECT_LT((loaded.predicted.form - job.epochs[0].survey.form).cwiseAbs().maxCoeff(), 5e-3);
 }
 
+/// What supports hide from two surveys does not cancel where a load turns the edges at them.
+TEST(Epochs, AccuseNothingWhereSupportsAreOffUnderAKnownLoad) {
+    IdentifyOptions options = with_prior();
+    options.uncertain = {parse_uncertain_parameter("supports:1mm")};
+    Points loads = Points::Zero(3, net().node_count());
+    for (const int node : net().free_nodes()) {
+        loads(2, node) = node % 5 == 0 ? -2000.0 : 0.0;
+    }
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        std::mt19937_64 random(seed + 500);
+        std::normal_distribution<double> normal(0.0, 1e-3);
+        CableNetData data = net().data();
+        for (const int node : net().supports()) {
+            for (int axis = 0; axis < 3; ++axis) {
+                data.nodes(axis, node) += normal(random);
+            }
+        }
+        const CableNet built{CableNetData(data)};
+        data.loads = loads;
+        Job job = job_of(seed, {}, {}, {}, built);
+        job.epochs[1].survey.form += test::simulate(CableNet(data), prior, noise, seed).truth.form -
+                                     test::simulate(built, prior, noise, seed).truth.form;
+        job.epochs[1].loads = loads;
+        const Identification result = identify_epochs(net(), job.epochs, options);
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed)
+            << result.trust.findings[0].reason;
+    }
+}
+
 // Turns and loads leave edges their mass: it may be uncertain, and frequencies need it.
 TEST(Epochs, KeepTheMassesOfTheNet) {
     CableNetData data = net().data();

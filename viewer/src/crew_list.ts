@@ -55,7 +55,7 @@ function numbersOf(plan: Plan, turns: number[]): Map<number, string> {
 /** Which stage a pass belongs to, where there are stages. */
 function stageText(plan: Plan, pass: number): string {
   const step = plan.turns.find((turn) => turn.pass === pass)?.step ?? -1;
-  const stage = (plan.order.stages ?? []).find((one) => step <= one.step);
+  const stage = (plan.order.stages ?? []).find((one) => step <= (one.step ?? -1));
   return stage ? `, stage ${stage.name} to ${number(100 * stage.part)} %` : "";
 }
 
@@ -74,7 +74,7 @@ function columnsOf({ plan, model, notebook }: Omit<Sheets, "columns">): Column[]
     { head: "scale reading after [mm]", cells: ({ reading_after }) => [signed(1e3 * reading_after, 2)] },
     { head: "final tension [kN]", cells: ({ tension_after }) => [plan.draws > 0 ? fixed(tension_after / 1e3, 2) : "–"] },
     ...some(plan.draws > 0 && plan.turns.some((turn) => (turn.frequency_after_step ?? null) !== null), {
-      head: "frequency then [Hz]", cells: ({ frequency_after_step: f }) => [f == null ? "–" : f.toPrecision(4)] }),
+      head: "frequency after [Hz]", cells: ({ frequency_after_step: f }) => [f == null ? "–" : f.toPrecision(4)] }),
     { head: options.pitch === null ? "done, made [mm]" : "done, turns made", cells: (_, index) => madeCell(plan, index, notebook) },
   ];
 }

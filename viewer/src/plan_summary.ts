@@ -87,7 +87,7 @@ function orderSentence(plan: Plan): string {
   const { order, turns } = plan;
   if (turns.length === 0) return "The crews have no work.";
   const work = `Order of work: ${order.passes} ${order.passes === 1 ? "pass" : "passes"}, ${counted(order.crews, "crew")}, ${number(order.walk)} m of walking.`;
-  const stages = (order.stages ?? []).map((one) => ` After stage ${one.name}, ${number(100 * one.part)} % of its strokes: ${number(one.least_tension / 1e3)} to ${number(one.most_tension / 1e3)} kN, no limit broken until then with a probability of ${percent(one.safe_probability)} %.`).join("");
+  const stages = (order.stages ?? []).map((one) => ` After stage ${one.name}, ${number(100 * one.part)} % of its strokes: ${number(one.least_tension / 1e3)} to ${number(one.most_tension / 1e3)} kN${plan.draws > 0 ? `; probability that no step until then breaks a limit: ${percent(one.safe_probability)} %` : ""}.`).join("");
   return workSentence(plan, work) + stages;
 }
 

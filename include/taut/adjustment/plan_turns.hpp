@@ -76,8 +76,7 @@ struct PlannedTurns {
 };
 
 /// All of a plan: resolve(), plan_strokes(), order_turns() and, where asked for, suggested_edges().
-/// Turnings get the frequency of a string with hinged ends, of the mass and bending stiffness of
-/// the designed net.
+/// Turnings get expected_frequency() of the designed net.
 /// @param net as designed
 /// @param built the net as it stands
 /// @param target of the same net, which is not checked

@@ -21,7 +21,7 @@ enum class MeasurementKind {
     frequency,  ///< the first natural frequency of an edge
     sag,        ///< of an edge, by three points at its quarters
     target,     ///< a free node that the survey has no target on
-    load,       ///< a second survey, while a known load hangs on a node
+    load,       ///< a second survey, while a known load hangs on a node; one at most
 };
 
 /// "load-cell", "frequency", "sag", "target", "load".
@@ -53,7 +53,8 @@ struct SuggestOptions {
     double frequency_std = 0.01;    ///< standard deviation, as a part of the frequency
     double free_length_std = 0.01;  ///< of a vibrating cable [m]
     int most = 5;                   ///< number of measurements
-    /// Whether with_site_assumptions() are added for all kinds of measurements.
+    /// As identify() does by default: with_site_assumptions() for all kinds of measurements, and
+    /// what lengths have in common is uncertain.
     bool assume_site = false;
 };
 
@@ -82,13 +83,15 @@ struct MeasurementSuggestions {
 /// The measurements that lower a standard deviation most for their cost, after a survey: each the
 /// best given those before it, by the exact update of the normal distribution that
 /// predicted_precision() has, docs/theory.md (suggestion). A load is known to the width of
-/// "test-loads", load cells share an error by "forces", frequencies and sags by "mass".
+/// "test-loads", load cells share an error by "forces", frequencies and sags by "mass". Single
+/// measurements are tried: where many edges are equally badly known, none lowers the worst tension.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
 /// @param forces that are measured anyhow; the tensions are not used
-/// @throws std::invalid_argument as predicted_precision(); for costs and standard deviations that
-///   are not positive and finite, a negative load, fewer than one measurement, and a net of more
-///   than 6,000 unknowns (coordinates, lengths and parameters)
+/// @throws std::invalid_argument as predicted_precision(); for a survey without noise; for costs
+/// and standard deviations that
+///   are not positive and finite (free_length_std: negative), a negative load, fewer than one
+///   measurement, and a net of more than 3,000 coordinates and lengths
 /// @throws SurveyError as predicted_precision()
 /// @throws NumericalError likewise
 [[nodiscard]] TAUT_CORE_EXPORT MeasurementSuggestions suggested_measurements(

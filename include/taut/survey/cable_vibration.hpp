@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/forces.hpp"
@@ -36,13 +38,6 @@ struct VibratingCable {
                                                            double frequency, int mode,
                                                            CableEnds ends);
 
-/// The first natural frequency of a cable with hinged ends under a tension of 0 or more, the
-/// inverse of tension_of_frequency() [Hz].
-/// @throws std::invalid_argument for a length or mass that is not positive, a negative tension or
-///   bending stiffness
-[[nodiscard]] TAUT_CORE_EXPORT double frequency_of_tension(const VibratingCable& cable,
-                                                           double tension);
-
 /// A natural frequency of an edge.
 struct FrequencyMeasurement {
     int edge = 0;            ///< index in the net
@@ -67,5 +62,13 @@ struct FrequencyMeasurement {
 [[nodiscard]] TAUT_CORE_EXPORT ForceMeasurement
 tension_by_frequency(const CableNet& net, const Points& form, const FrequencyMeasurement& measured,
                      double free_length_std);
+
+/// The first natural frequency of an edge of which tension_by_frequency() gives this tension [Hz].
+/// @param length between its ends [m]
+/// @return nothing where the net has no mass of it, it has no tension, or it is no string
+/// @throws std::invalid_argument for an edge out of range
+[[nodiscard]] TAUT_CORE_EXPORT std::optional<double> expected_frequency(const CableNet& net,
+                                                                        int edge, double length,
+                                                                        double tension);
 
 }  // namespace taut
