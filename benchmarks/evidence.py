@@ -22,9 +22,9 @@ from page_block import show
 CASES = [
     ("soft", "hypar:9x9", 10, 1, "uniform:5mm", "0.5mm", "5mm", 50),
     ("stiff", "hypar:9x9", 10, 5, "uniform:2mm", "0.5mm", "5mm", 50),
-    ("nearly slack", "hypar:9x9", 1, 5, "uniform:1mm", "0.5mm", "0.5mm", 50),
-    ("long cables", "hypar:5x5", 75, 50, "uniform:1mm", "0.5mm", "10mm", 50),
-    ("steel", "steel-roof", 1, 1, "uniform:2mm", "0.5mm", "10mm", 8),
+    ("nearly slack", "hypar:9x9", 1, 5, "uniform:1mm", "0.5mm", "0.5mm", 25),
+    ("long cables", "hypar:5x5", 75, 50, "uniform:1mm", "0.5mm", "10mm", 25),
+    ("steel", "steel-roof", 1, 1, "uniform:2mm", "0.5mm", "10mm", 6),
 ]
 SITE = ["stiffness-each:2%", "temperature:5K", "supports:1mm", "adjustable:0.5mm"]
 EVIDENCE = {
@@ -74,7 +74,7 @@ class Job:
         net.loads = unloaded + bags * (1 + 0.02 * random.normal())
         loaded = net.build(prior, SITE, seed)[0]
         net.loads = unloaded
-        self.form, self.tension, self.deviations, _ = net.build(prior, SITE, seed)
+        self.form, self.tension, _, _ = net.build(prior, SITE, seed)
         net.stiffness = designed
         self.noise = quantity(noise)
         folder = net.folder
@@ -127,7 +127,7 @@ class Row:
 
     def __init__(self):
         self.verdicts, self.errors, self.stds = [], [], []
-        self.means, self.tensions, self.lengths = Count(), Count(), Count()
+        self.means, self.tensions = Count(), Count()
         self.refused = ""
 
     def add(self, net, job, given, prior, noise):
@@ -143,9 +143,6 @@ class Row:
         self.verdicts.append(found["trust"]["verdict"])
         if self.verdicts[-1] == "failed":
             return
-        for edge in found["edges"]:
-            if edge["status"] != "slack":
-                self.lengths.add(job.deviations[edge["edge"]], edge)
         if not found["mean_tension"]:
             return
         self.means.add(job.tension.mean(), found["mean_tension"])

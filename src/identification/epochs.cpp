@@ -145,7 +145,9 @@ double small_actuator_std(const std::vector<Epoch>& epochs) {
 }
 
 constexpr const char* what_to_check =
-    "Check the turns given (signs, units, which file), and that both surveys are of this net.";
+    "Check the turns given, and the loads that hung on the net (signs, units, which nodes and "
+    "file), "
+    "and that both surveys are of this net.";
 
 std::string contradiction_text(size_t before, double ratio) {
     return fmt::format(

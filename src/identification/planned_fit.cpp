@@ -63,6 +63,7 @@ Eigen::MatrixXd PlannedFit::joint_covariance(bool with_trend) const {
         return result;
     }
     std::vector<bool> left_out;
+    left_out.reserve(m_knowledge->priors.size());
     for (size_t i = 0; i < m_knowledge->priors.size(); ++i) {
         left_out.push_back(m_knowledge->priors[i] != m_prior ||
                            model().slack[m_fit_net->interior_edges()[i]]);

@@ -711,6 +711,7 @@ private:
                                        wider.kind == UncertainParameter::Kind::supports ||
                                        wider.kind == UncertainParameter::Kind::temperature ||
                                        wider.kind == UncertainParameter::Kind::loads_each;
+                const bool is_of_known_loads = wider.kind == UncertainParameter::Kind::test_loads;
                 add({.kind = FindingKind::uncertain_parameter,
                      .severity = Verdict::failed,
                      .ids = {std::string(wider.name()) + group},
@@ -721,7 +722,10 @@ private:
                      .reason = fmt::format("The survey shows {:.1f} times the standard deviation "
                                            "assumed of {}.",
                                            ratio, spread.parameter.to_string()),
-                     .next = "Check it on site, or assume a larger one."});
+                     .next =
+                         is_of_known_loads
+                             ? "Check the loads that hung on the net: their sign, unit and nodes."
+                             : "Check it on site, or assume a larger one."});
             }
         }
     }

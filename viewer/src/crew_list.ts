@@ -17,6 +17,8 @@ const signed = (value: number, decimals: number): string => (value > 0 ? "+" : "
 
 /** Whether the thread of any turnbuckle is known, and with it the direction of rotation. */
 const hasRotation = (plan: Plan): boolean => plan.turns.some((turn) => turn.rotation !== null);
+/** Whether a crew can check by the frequencies of cables. */
+const hasFrequencies = ({ draws, turns }: Plan): boolean => draws > 0 && turns.some((turn) => (turn.frequency_after_step ?? null) !== null);
 /** Whether the order is more than that of the lines. */
 const hasSteps = ({ order }: Plan): boolean => order.crews > 1 || order.passes > 1;
 
@@ -73,7 +75,7 @@ function columnsOf({ plan, model, notebook }: Omit<Sheets, "columns">): Column[]
     { head: "stroke [mm]", cells: ({ stroke }) => [fixed(Math.abs(1e3 * stroke), 2)] },
     { head: "scale reading after [mm]", cells: ({ reading_after }) => [signed(1e3 * reading_after, 2)] },
     { head: "final tension [kN]", cells: ({ tension_after }) => [plan.draws > 0 ? fixed(tension_after / 1e3, 2) : "–"] },
-    ...some(plan.draws > 0 && plan.turns.some((turn) => (turn.frequency_after_step ?? null) !== null), {
+    ...some(hasFrequencies(plan), {
       head: "frequency after [Hz]", cells: ({ frequency_after_step: f }) => [f == null ? "–" : f.toPrecision(4)] }),
     { head: options.pitch === null ? "done, made [mm]" : "done, turns made", cells: (_, index) => madeCell(plan, index, notebook) },
   ];
@@ -144,7 +146,7 @@ export function crewsSection(plan: Plan, model: Model, notebook: Notebook): HTML
   const again = passes > 1 ? " A cable may come again in a later pass: its scale reading is after that pass, its tension after all passes." : "";
   const threads = thread === null ? "Threads are right-hand or left-hand as given in the net." : `The turnbuckles have a ${thread}-hand thread.`;
   const turning = hasRotation(plan) ? `${threads} Clockwise is seen from the support along the cable.` : "The direction of rotation is not given, because the thread is not known.";
-  const how = `Numbers are those of the drawing, names beside them those of the supports; nodes at both ends of a cable stand in brackets. ${turning} The scale reading is the turnbuckle's length after the turn less its design length; + is longer. The tension is the cable's after all turns.${together}${again}`;
+  const how = `Numbers are those of the drawing, names beside them those of the supports; nodes at both ends of a cable stand in brackets. ${turning} The scale reading is the turnbuckle's length after the turn less its design length; + is longer. The tension is the cable's after all turns.${hasFrequencies(plan) ? " The frequency is what the cable should have right after its own turn." : ""}${together}${again}`;
   const made = "Tick off what is turned. Where something else was turned, enter it; a minus is the other way round.";
   const present = [...new Set(plan.turns.map((t) => t.crew))].sort((a, b) => a - b);
   const idle = crews - present.length;
