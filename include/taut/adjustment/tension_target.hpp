@@ -51,7 +51,7 @@ struct TAUT_ADJUSTMENT_EXPORT ReachedTension {
     std::optional<double> mean;         ///< over the samples, as planned; empty without
     std::optional<double> std;          ///< likewise
     std::optional<double> probability;  ///< that it is within the tolerance; empty without samples
-    TensionObstacle obstacle = TensionObstacle::none;
+    TensionObstacle obstacle = TensionObstacle::none;  ///< what keeps it out of its tolerance
 
     /// Deviation of the mean from the target, of the estimate without samples [tolerances].
     [[nodiscard]] double deviation() const;

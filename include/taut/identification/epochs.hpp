@@ -21,6 +21,7 @@ struct Epoch {
     /// How far the form gives way shows the stiffness [N].
     Points loads = Points(3, 0);
 
+    /// Whether known loads hung on the net.
     [[nodiscard]] bool is_loaded() const { return !loads.isZero(0.0); }
 };
 

@@ -45,7 +45,7 @@ enum class SoughtQuantity {
 
 /// How measurements are suggested.
 struct SuggestOptions {
-    SoughtQuantity quantity = SoughtQuantity::mean_tension;
+    SoughtQuantity quantity = SoughtQuantity::mean_tension;  ///< that is to become surer
     /// Cost of one measurement, positive, in any one unit; 1 of a kind that is not given.
     std::map<MeasurementKind, double> costs = {};
     double load = 0.0;              ///< hung on a node; 0: a twentieth of the mean tension [N]
@@ -60,9 +60,9 @@ struct SuggestOptions {
 
 /// A measurement, and what is left uncertain with it and those before it.
 struct SuggestedMeasurement {
-    MeasurementKind kind = MeasurementKind::target;
-    int edge = -1;          ///< index in the net; -1: it is at a node
-    int node = -1;          ///< index in the net; -1: it is at an edge
+    MeasurementKind kind = MeasurementKind::target;  ///< what is measured
+    int edge = -1;                                   ///< index in the net; -1: it is at a node
+    int node = -1;                                   ///< index in the net; -1: it is at an edge
     double expected = 0.0;  ///< as designed: tension [N], frequency [Hz], sag [m]; the load [N]
     double std = 0.0;       ///< standard deviation of the measurement, in that unit; 0: none
     double remaining_std = 0.0;  ///< of the sought quantity, see MeasurementSuggestions
@@ -71,8 +71,8 @@ struct SuggestedMeasurement {
 
 /// Which measurements to make next, one after the other.
 struct MeasurementSuggestions {
-    SoughtQuantity quantity = SoughtQuantity::mean_tension;
-    double mean_tension = 0.0;  ///< as designed [N]
+    SoughtQuantity quantity = SoughtQuantity::mean_tension;  ///< that becomes surer
+    double mean_tension = 0.0;                               ///< as designed [N]
     /// Standard deviation of the sought quantity by the survey alone: of tensions [N], of the form
     /// [m].
     double std = 0.0;

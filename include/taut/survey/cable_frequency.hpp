@@ -12,6 +12,7 @@
 
 namespace taut {
 
+/// Where a frequency lies.
 struct FrequencyRange {
     double lowest = 0.0;   ///< [Hz]
     double highest = 0.0;  ///< [Hz]
