@@ -192,7 +192,10 @@ void bind_suggestions(nb::module_& module) {
         R"(Suggests which measurements to make besides a survey, each the best given those before it.
 
 Args:
-    targets, noise, prior, uncertain: as for inspect().
+    targets: free nodes that are to be surveyed, by default all.
+    noise: standard deviation of each coordinate [m].
+    prior: of the length deviations.
+    uncertain: as for identify().
     quantity: whose standard deviation they lower: "mean-tension", "worst-tension" or "form".
     costs: of one measurement, by kind: "load-cell", "frequency", "sag", "target", "load"; 1 of
         those that are not given.
