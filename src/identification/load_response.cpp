@@ -40,9 +40,10 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
         const auto [s, t] = net.edges()[e];
         const Eigen::Matrix3d stiffness = rates.stiffness();
         for (const auto& [node, other, sign] : {std::tuple(s, t, 1.0), std::tuple(t, s, -1.0)}) {
-            const auto add = [&, node = node, sign = sign](int column, const Eigen::Vector3d& v) {
+            const auto add = [&entries, row = 3 * node, by = sign](int column,
+                                                                   const Eigen::Vector3d& v) {
                 for (int i = 0; i < 3; ++i) {
-                    entries.emplace_back(3 * node + i, column, sign * v(i));
+                    entries.emplace_back(row + i, column, by * v(i));
                 }
             };
             for (int axis = 0; axis < 3; ++axis) {
