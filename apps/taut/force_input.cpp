@@ -69,6 +69,22 @@ std::vector<CLI::Option*> add_force_measurement_options(CLI::App& command, Force
     return {forces, unit, noise};
 }
 
+std::vector<CLI::Option*> add_frequency_noise_options(CLI::App& command, ForceOptions& options) {
+    CLI::Option* const noise =
+        command
+            .add_option("--frequency-noise", options.frequency_noise,
+                        "Standard deviation of a frequency, a part of it, where none is given")
+            ->group(heading::known)
+            ->capture_default_str();
+    CLI::Option* const length =
+        command
+            .add_option("--free-length-std", options.free_length_std,
+                        "Standard deviation of the length that vibrates, which clamps shorten")
+            ->group(heading::known)
+            ->capture_default_str();
+    return {noise, length};
+}
+
 void add_force_options(CLI::App& command, ForceOptions& options) {
     add_force_measurement_options(command, options,
                                   "Force measurements of load cells or tension meters, a file "
@@ -87,23 +103,24 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
                         "Natural frequencies of cables, a file edge,frequency[,mode][,std], in Hz; "
                         "the net needs mass")
             ->group(heading::known);
-    command
-        .add_option("--frequency-noise", options.frequency_noise,
-                    "Standard deviation of a frequency where that file has none, a part of it")
-        ->needs(frequencies)
-        ->group(heading::known)
-        ->capture_default_str();
-    command
-        .add_option("--free-length-std", options.free_length_std,
-                    "Standard deviation of the length that vibrates, which clamps shorten")
-        ->needs(frequencies)
-        ->group(heading::known)
-        ->capture_default_str();
+    for (CLI::Option* option : add_frequency_noise_options(command, options)) {
+        option->needs(frequencies);
+    }
     command
         .add_option("--sag", options.sag,
                     "Points on cables that sag, three or more on each, a file edge,x,y,z[,std] in "
                     "m; the net needs mass")
         ->group(heading::known);
+}
+
+double frequency_part(const ForceOptions& options) {
+    const double part = parse_part(options.frequency_noise);
+    if (!(part > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("--frequency-noise is '{}', expected a standard deviation above 0",
+                        options.frequency_noise));
+    }
+    return part;
 }
 
 namespace {
@@ -128,12 +145,7 @@ void add_cells(const CableNet& net, const ForceOptions& options, Forces& forces)
 /// What the natural frequencies say of tensions.
 void add_frequencies(const CableNet& net, const ForceOptions& options, const Points& form,
                      Forces& forces) {
-    const double part = parse_part(options.frequency_noise);
-    if (!(part > 0.0)) {
-        throw std::invalid_argument(
-            fmt::format("--frequency-noise is '{}', expected a standard deviation above 0",
-                        options.frequency_noise));
-    }
+    const double part = frequency_part(options);
     const double free_length_std = parse_length(options.free_length_std);
     const std::vector<FrequencyMeasurement> measured =
         parse_frequencies(net, read_table(options.frequencies), options.frequencies, part);

@@ -36,6 +36,13 @@ struct ForceOptions {
 std::vector<CLI::Option*> add_force_measurement_options(CLI::App& command, ForceOptions& options,
                                                         const std::string& help);
 
+/// --frequency-noise, --free-length-std.
+std::vector<CLI::Option*> add_frequency_noise_options(CLI::App& command, ForceOptions& options);
+
+/// Of --frequency-noise.
+/// @throws std::invalid_argument for what is not above 0 %
+[[nodiscard]] double frequency_part(const ForceOptions& options);
+
 /// All of ForceOptions.
 void add_force_options(CLI::App& command, ForceOptions& options);
 

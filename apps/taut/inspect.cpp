@@ -246,7 +246,7 @@ void run(const InspectOptions& options) {
     if (!options.survey.empty()) {
         precision = precision_of(net, inspection.equilibrium, options, prior,
                                  read_planned_forces(net, options), options.uncertain,
-                                 options.suggestions, options.net, options.json);
+                                 options.suggestions, options, options.net, options.json);
     }
     if (precision && !options.names.empty()) {
         write_file(options.names, survey_names_csv(net, precision->survey));
@@ -294,7 +294,7 @@ void add_inspect(CLI::App& program) {
         option->needs(survey);
     }
     add_uncertain_option(command, options->uncertain, assumes_site)->needs(survey);
-    for (CLI::Option* option : add_suggestion_options(command, options->suggestions)) {
+    for (CLI::Option* option : add_suggestion_options(command, options->suggestions, *options)) {
         option->needs(survey);
     }
     set_action(command, options, run);

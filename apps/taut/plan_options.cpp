@@ -94,7 +94,7 @@ std::vector<GivenStage> parse_stages(const std::string& text) {
         const std::string one = text.substr(begin, end - begin);
         const size_t colon = std::min(one.find(':'), one.size());
         const double part = colon < one.size() ? parse_part(one.substr(colon + 1)) : 1.0;
-        if (colon == 0 || !(part > 0.0 && part <= 1.0)) {
+        if (colon == 0) {
             throw std::invalid_argument(fmt::format(
                 "--stages is '{}', expected groups and parts such as ridge:50%,valley,ridge",
                 text));

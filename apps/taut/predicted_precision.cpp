@@ -16,8 +16,8 @@ namespace taut::app {
 PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
                              const SurveyOptions& options, const LengthPrior& prior,
                              const Forces& forces, const UncertainOptions& uncertain,
-                             const SuggestionOptions& suggestions, const std::string& net_file,
-                             bool with_notes) {
+                             const SuggestionOptions& suggestions, const ForceOptions& noise,
+                             const std::string& net_file, bool with_notes) {
     if (options.noise == estimated_noise) {
         throw std::invalid_argument(
             "--noise estimate is for identify: before a survey there is nothing to estimate it "
@@ -38,7 +38,7 @@ PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
     });
     std::optional<MeasurementSuggestions> suggested;
     if (!suggestions.quantity.empty()) {
-        SuggestOptions further = suggestions.read();
+        SuggestOptions further = suggestions.read(noise);
         further.assume_site = survey.is_noisy() && uncertain.assume_site();
         suggested = suggested_measurements(net, nominal.form, survey, prior, forces,
                                            uncertain.given(net, net_file), further);

@@ -32,8 +32,8 @@ struct PredictedSurvey {
 PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
                              const SurveyOptions& options, const LengthPrior& prior,
                              const Forces& forces, const UncertainOptions& uncertain,
-                             const SuggestionOptions& suggestions, const std::string& net_file,
-                             bool with_notes);
+                             const SuggestionOptions& suggestions, const ForceOptions& noise,
+                             const std::string& net_file, bool with_notes);
 
 nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& precision,
                                const std::string& file);

@@ -38,8 +38,10 @@ std::string expected_text(const SuggestedMeasurement& one) {
 
 }  // namespace
 
-SuggestOptions SuggestionOptions::read() const {
-    SuggestOptions result{.quantity = parse_sought_quantity(quantity)};
+SuggestOptions SuggestionOptions::read(const ForceOptions& forces) const {
+    SuggestOptions result{.quantity = parse_sought_quantity(quantity),
+                          .frequency_std = frequency_part(forces),
+                          .free_length_std = parse_length(forces.free_length_std)};
     for (const std::string& text : costs) {
         const size_t colon = text.find(':');
         const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -63,7 +65,8 @@ SuggestOptions SuggestionOptions::read() const {
     return result;
 }
 
-std::vector<CLI::Option*> add_suggestion_options(CLI::App& command, SuggestionOptions& options) {
+std::vector<CLI::Option*> add_suggestion_options(CLI::App& command, SuggestionOptions& options,
+                                                 ForceOptions& forces) {
     CLI::Option* const suggest =
         command
             .add_option("--suggest", options.quantity,
@@ -86,7 +89,11 @@ std::vector<CLI::Option*> add_suggestion_options(CLI::App& command, SuggestionOp
                         "Load that could be hung on a node, such as 250N (default: a twentieth of "
                         "the mean tension)")
             ->needs(suggest);
-    return {suggest, cost, load};
+    std::vector<CLI::Option*> all{suggest, cost, load};
+    for (CLI::Option* option : add_frequency_noise_options(command, forces)) {
+        all.push_back(option->needs(suggest));
+    }
+    return all;
 }
 
 nlohmann::ordered_json to_json(const CableNet& net, const MeasurementSuggestions& suggestions) {

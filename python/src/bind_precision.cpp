@@ -171,11 +171,13 @@ void bind_suggestions(nb::module_& module) {
         [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
            const std::string& prior, const std::vector<std::string>& uncertain,
            const std::string& quantity, const std::map<std::string, double>& costs, double load,
-           int count) {
+           double frequency_noise, double free_length_std, int count) {
             const Survey survey = planned_survey(net, targets, noise);
             return without_lock([&] {
                 SuggestOptions options{.quantity = parse_sought_quantity(quantity),
                                        .load = load,
+                                       .frequency_std = frequency_noise,
+                                       .free_length_std = free_length_std,
                                        .most = count,
                                        .assume_site = assumes_site(uncertain) && noise > 0.0};
                 for (const auto& [kind, cost] : costs) {
@@ -188,7 +190,8 @@ void bind_suggestions(nb::module_& module) {
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
         nb::arg("prior") = "uniform:5mm", nb::arg("uncertain") = std::vector<std::string>(),
         nb::arg("quantity") = "mean-tension", nb::arg("costs") = std::map<std::string, double>(),
-        nb::arg("load") = 0.0, nb::arg("count") = 5,
+        nb::arg("load") = 0.0, nb::arg("frequency_noise") = SuggestOptions().frequency_std,
+        nb::arg("free_length_std") = SuggestOptions().free_length_std, nb::arg("count") = 5,
         R"(Suggests which measurements to make besides a survey, each the best given those before it.
 
 Args:
@@ -200,6 +203,8 @@ Args:
     costs: of one measurement, by kind: "load-cell", "frequency", "sag", "target", "load"; 1 of
         those that are not given.
     load: that could be hung on a node; 0: a twentieth of the mean tension [N].
+    frequency_noise: standard deviation of a frequency, as a part of it.
+    free_length_std: standard deviation of the length that vibrates [m].
     count: of measurements, at most.)");
 }
 

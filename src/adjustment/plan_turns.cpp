@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "adjustment/tension_targets.hpp"
+#include "adjustment/work_stages.hpp"
 #include "statics/arguments.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/cable_vibration.hpp"
@@ -126,7 +126,6 @@ std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& tu
                                  const std::vector<GivenStage>& given) {
     std::vector<WorkStage> stages;
     stages.reserve(given.size());
-    std::map<int, double> done_of;
     for (const GivenStage& one : given) {
         const std::vector<int>& edges = edges_of_group(net, one.group, "stages");
         if (std::ranges::none_of(
@@ -135,25 +134,9 @@ std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& tu
                 "stages",
                 fmt::format("is of the group '{}', but no edge of that may be turned", one.group));
         }
-        if (!(one.part > 0.0 && one.part <= 1.0)) {
-            throw RequestError(
-                "stages", fmt::format("asks for {:g} of the strokes of '{}', expected above 0, "
-                                      "at most 1",
-                                      one.part, one.group));
-        }
-        for (const int edge : edges) {
-            double& done = done_of[edge];
-            if (one.part <= done) {
-                throw RequestError(
-                    "stages",
-                    fmt::format("asks for {:g} % of the strokes of '{}', but a stage before has "
-                                "done {:g} % of that of edge '{}'",
-                                100.0 * one.part, one.group, 100.0 * done, net.edge_id(edge)));
-            }
-            done = one.part;
-        }
         stages.push_back({.name = one.group, .edges = edges, .part = one.part});
     }
+    check_stages(net, stages);
     return stages;
 }
 

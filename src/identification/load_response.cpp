@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "taut/numerical_error.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -63,35 +64,16 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
     return result;
 }
 
-/// H, of the free nodes in the order of the net, factorised.
+/// H of a net at a form, factorised; loose nodes are held by a part of it.
 class FreeStiffness {
 public:
-    FreeStiffness(const CableNet& net, const Rates& rates) : m_net(net) {
+    FreeStiffness(const CableNet& net, const Points& form) : m_net(net) {
         constexpr double part_that_holds_loose_nodes = 1e-10;
-        Triplets entries;
-        const Eigen::Index count = Eigen::Index{3} * net.free_node_count();
-        double trace = 0.0;
-        for (int i = 0; i < net.free_node_count(); ++i) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const int row = 3 * net.free_nodes()[i] + axis;
-                for (Rates::InnerIterator it(rates, row); it; ++it) {
-                    const auto column = static_cast<int>(it.col());
-                    const int other =
-                        column < 3 * net.node_count() ? net.free_index(column / 3) : -1;
-                    if (other >= 0) {
-                        entries.emplace_back(3 * i + axis, 3 * other + column % 3, it.value());
-                    }
-                    trace += column == row ? it.value() : 0.0;
-                }
-            }
-        }
-        const double hold = part_that_holds_loose_nodes * trace / static_cast<double>(count);
-        for (int i = 0; i < count; ++i) {
-            entries.emplace_back(i, i, hold);
-        }
-        Eigen::SparseMatrix<double> stiffness(count, count);
-        stiffness.setFromTriplets(entries.begin(), entries.end());
-        m_factor.compute(stiffness);
+        Eigen::SparseMatrix<double> matrix = stiffness(net, net.unstressed_lengths(), form);
+        Eigen::SparseMatrix<double> held(matrix.rows(), matrix.cols());
+        held.setIdentity();
+        matrix += part_that_holds_loose_nodes * matrix.diagonal().mean() * held;
+        m_factor.compute(matrix);
         if (m_factor.info() != Eigen::Success) {
             throw NumericalError("the stiffness of the net is singular at this form");
         }
@@ -205,11 +187,11 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     Iterate under_load = planned.iterate();
     under_load.form = equilibrium.form;
     const Rates rates = force_rates(loaded, under_load);
-    const FreeStiffness stiffness(net, rates);
+    const FreeStiffness free_stiffness(net, equilibrium.form);
 
     LoadResponse result;
     const Rates difference = force_rates(planned.model(), planned.iterate()) - rates;
-    Eigen::MatrixXd of_free = stiffness.places_by(Eigen::MatrixXd(difference));
+    Eigen::MatrixXd of_free = free_stiffness.places_by(Eigen::MatrixXd(difference));
     for (int i = 0; i < net.free_node_count(); ++i) {
         of_free.block<3, 3>(Eigen::Index{3} * i, Eigen::Index{3} * net.free_nodes()[i]) +=
             Eigen::Matrix3d::Identity();
@@ -221,10 +203,10 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
         if (one.kind == UncertainParameter::Kind::test_loads) {
             Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * net.node_count());
             force(3 * node + 2) = -load * one.std;
-            of_free.col(k) += stiffness.places_by(force);
+            of_free.col(k) += free_stiffness.places_by(force);
         }
         if (one.kind == UncertainParameter::Kind::temperature) {
-            const Eigen::VectorXd heated = stiffness.places_by(Eigen::MatrixXd(rates.col(k)));
+            const Eigen::VectorXd heated = free_stiffness.places_by(Eigen::MatrixXd(rates.col(k)));
             of_another_day.col(k - first_common) = heated;
             of_free.col(k) += heated;
         }
@@ -234,8 +216,8 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
 
     const Eigen::MatrixXd own =
         at_targets(net, survey,
-                   stiffness.places_by(own_stiffness_forces(planned.model(), loaded,
-                                                            planned.iterate(), under_load)));
+                   free_stiffness.places_by(own_stiffness_forces(planned.model(), loaded,
+                                                                 planned.iterate(), under_load)));
     const Eigen::MatrixXd heated = at_targets(net, survey, of_another_day);
     result.noise = own * own.transpose() + heated * heated.transpose();
     const Points noise = with_noise_floor(net, survey);
@@ -248,13 +230,13 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
 
 std::vector<int> nodes_to_load(const PlannedFit& planned) {
     const CableNet& net = planned.net();
-    const FreeStiffness stiffness(net, force_rates(planned.model(), planned.iterate()));
+    const FreeStiffness free_stiffness(net, planned.iterate().form);
     std::vector<std::pair<double, int>> by_softness;
     by_softness.reserve(net.free_nodes().size());
     Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * net.node_count());
     for (const int node : net.free_nodes()) {
         force(3 * node + 2) = 1.0;
-        const Eigen::VectorXd places = stiffness.places_by(force);
+        const Eigen::VectorXd places = free_stiffness.places_by(force);
         by_softness.emplace_back(-places(3 * net.free_index(node) + 2), node);
         force(3 * node + 2) = 0.0;
     }

@@ -223,7 +223,7 @@ TEST(PlanTurns, AreThoseOfTheirParts) {
                 ThrowsMessage<RequestError>(HasSubstr("no edge of that may be turned")));
     request.stages = {{.group = "first"}, {.group = "first", .part = 0.5}};
     EXPECT_THAT([&] { static_cast<void>(plan_turns(net, built, target, request)); },
-                ThrowsMessage<RequestError>(HasSubstr("has done 100 % of that of edge")));
+                ThrowsMessage<std::invalid_argument>(HasSubstr("a stage before has done 1 of")));
     request.stages = {};
 
     request.suggest_adjustable = -1;

@@ -262,7 +262,6 @@ TEST(SuggestedMeasurements, RefuseWhatMakesNoSense) {
     };
     refuse({.costs = {{MeasurementKind::sag, 0.0}}});
     refuse({.load = -1.0});
-    refuse({.load_cell_std = 0.0});
     refuse({.frequency_std = -0.1});
     refuse({.free_length_std = -0.1});
     refuse({.most = 0});

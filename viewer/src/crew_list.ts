@@ -146,7 +146,7 @@ export function crewsSection(plan: Plan, model: Model, notebook: Notebook): HTML
   const again = passes > 1 ? " A cable may come again in a later pass: its scale reading is after that pass, its tension after all passes." : "";
   const threads = thread === null ? "Threads are right-hand or left-hand as given in the net." : `The turnbuckles have a ${thread}-hand thread.`;
   const turning = hasRotation(plan) ? `${threads} Clockwise is seen from the support along the cable.` : "The direction of rotation is not given, because the thread is not known.";
-  const how = `Numbers are those of the drawing, names beside them those of the supports; nodes at both ends of a cable stand in brackets. ${turning} The scale reading is the turnbuckle's length after the turn less its design length; + is longer. The tension is the cable's after all turns.${hasFrequencies(plan) ? " The frequency is what the cable should have right after its own turn." : ""}${together}${again}`;
+  const how = `Numbers are those of the drawing, names beside them those of the supports; nodes at both ends of a cable stand in brackets. ${turning} The scale reading is the turnbuckle's length after the turn less its design length; + is longer. The tension is the cable's after all turns.${hasFrequencies(plan) ? " The frequency is what the cable should have right after its own turn, as uncertain as half of what its tension is, and of its mass." : ""}${together}${again}`;
   const made = "Tick off what is turned. Where something else was turned, enter it; a minus is the other way round.";
   const present = [...new Set(plan.turns.map((t) => t.crew))].sort((a, b) => a - b);
   const idle = crews - present.length;

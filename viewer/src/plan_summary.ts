@@ -83,16 +83,16 @@ function orderProbability({ order, draws, options }: Plan): string {
   return `, with a probability of ${percent(order.safe_probability)} % (required: ${short(100 * options.confidence)} %)`;
 }
 
+/** The tensions after each stage in which something is turned. */
+function stageSentences({ order, draws }: Plan): string {
+  const some = (order.stages ?? []).filter((one, k, all) => one.step !== null && one.step !== all[k - 1]?.step);
+  return some.map((one) => ` After stage ${one.name}, ${number(100 * one.part)} % of its strokes: ${kN(one.least_tension)} to ${kN(one.most_tension)} kN${draws > 0 ? `; probability that no step until then breaks a limit: ${percent(one.safe_probability)} %` : ""}.`).join("");
+}
+
 function orderSentence(plan: Plan): string {
   const { order, turns } = plan;
   if (turns.length === 0) return "The crews have no work.";
   const work = `Order of work: ${order.passes} ${order.passes === 1 ? "pass" : "passes"}, ${counted(order.crews, "crew")}, ${number(order.walk)} m of walking.`;
-  const stages = (order.stages ?? []).map((one) => ` After stage ${one.name}, ${number(100 * one.part)} % of its strokes: ${number(one.least_tension / 1e3)} to ${number(one.most_tension / 1e3)} kN${plan.draws > 0 ? `; probability that no step until then breaks a limit: ${percent(one.safe_probability)} %` : ""}.`).join("");
-  return workSentence(plan, work) + stages;
-}
-
-function workSentence(plan: Plan, work: string): string {
-  const { order } = plan;
   if (order.safe) return `${work} No step breaks a limit that was kept before the work${orderProbability(plan)}.`;
   const sure = orderProbability(plan) ? ` Its steps break no limit${orderProbability(plan)}.` : "";
   const worst = order.worst ? ` The worst is step ${order.worst.step + 1}: ${breachWords(order.worst.breach)}${order.worst.breach.probability > 0 ? `, kept with a probability of ${percent(order.worst.breach.probability)} %` : ""}.` : "";
@@ -114,7 +114,7 @@ export function ofPlan(plan: Plan): Summary {
   return {
     title: "Which turnbuckle to turn, and how far",
     done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It uses the lengths that were identified from a survey.${aimOf(plan)}`,
-    sentences: [formSentence(plan), limitSentence(plan), orderSentence(plan)],
+    sentences: [formSentence(plan), limitSentence(plan), orderSentence(plan) + stageSentences(plan)],
     figures: [
       { value: String(plan.touched), unit: "", label: "cables to turn" },
       { value: millimetres(plan.largest_stroke), unit: "mm", label: "largest stroke" },

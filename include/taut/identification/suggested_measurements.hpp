@@ -17,7 +17,7 @@ namespace taut {
 
 /// What can be measured besides the targets of a survey.
 enum class MeasurementKind {
-    load_cell,  ///< the tension of an edge, by a load cell or a tension meter
+    load_cell,  ///< the tension of an edge, to 2 %, by a load cell or a tension meter
     frequency,  ///< the first natural frequency of an edge
     sag,        ///< of an edge, by three points at its quarters
     target,     ///< a free node that the survey has no target on
@@ -49,7 +49,6 @@ struct SuggestOptions {
     /// Cost of one measurement, positive, in any one unit; 1 of a kind that is not given.
     std::map<MeasurementKind, double> costs = {};
     double load = 0.0;              ///< hung on a node; 0: a twentieth of the mean tension [N]
-    double load_cell_std = 0.02;    ///< standard deviation, as a part of the tension
     double frequency_std = 0.01;    ///< standard deviation, as a part of the frequency
     double free_length_std = 0.01;  ///< of a vibrating cable [m]
     int most = 5;                   ///< number of measurements
