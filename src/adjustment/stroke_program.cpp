@@ -309,7 +309,8 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd
             }
         }
     };
-    const auto& [deviation, rates] = m_deviations;
+    const Eigen::VectorXd& deviation = m_deviations.values;
+    const Eigen::MatrixXd& rates = m_deviations.rates;
     if (is_largest()) {
         for_each_target([&](Eigen::Index first, Eigen::Index count) {
             add_cone(rates.middleRows(first, count), deviation.segment(first, count));

@@ -6,7 +6,6 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <iterator>
-#include <ranges>
 #include <utility>
 
 #include "estimation/detectable_error.hpp"
@@ -93,11 +92,13 @@ Hypotheses::Hypotheses(const CableNet& net, std::vector<Hypothesis> all)
     : m_net(&net), m_all(std::move(all)) {}
 
 std::span<const Hypothesis> Hypotheses::of(Suspect kind) const {
-    return std::ranges::equal_range(m_all, kind, {}, &Hypothesis::kind);
+    return {std::ranges::lower_bound(m_all, kind, {}, &Hypothesis::kind),
+            std::ranges::upper_bound(m_all, kind, {}, &Hypothesis::kind)};
 }
 
 std::span<Hypothesis> Hypotheses::of(Suspect kind) {
-    return std::ranges::equal_range(m_all, kind, {}, &Hypothesis::kind);
+    return {std::ranges::lower_bound(m_all, kind, {}, &Hypothesis::kind),
+            std::ranges::upper_bound(m_all, kind, {}, &Hypothesis::kind)};
 }
 
 Hypothesis* Hypotheses::find(Suspect kind, int index) {
@@ -124,8 +125,11 @@ void Hypotheses::begin_tests() {
 }
 
 void Hypotheses::reopen() {
-    std::ranges::replace(m_all | std::views::transform(&Hypothesis::state), State::readmitted,
-                         State::in_use);
+    for (Hypothesis& hypothesis : m_all) {
+        if (hypothesis.state == State::readmitted) {
+            hypothesis.state = State::in_use;
+        }
+    }
 }
 
 void Hypotheses::readmit_all() {

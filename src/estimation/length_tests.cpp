@@ -267,7 +267,7 @@ void test_pairs(const std::vector<Hypothesis*>& pairs, const PairTests& tests,
         places.insert(places.end(), {pair->index, pair->other});
     }
     std::ranges::sort(places);
-    places.erase(std::ranges::unique(places).begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     std::vector<int> edges(places.size());
     std::ranges::transform(places, edges.begin(),
                            [&](int i) { return tests.net.interior_edges()[i]; });

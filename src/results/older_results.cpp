@@ -101,10 +101,10 @@ json with_new_keys(json root) {
     for (const Renamed& key : renamed_keys) {
         rename(root, key);
     }
-    for (const auto& [path, before, now] : renamed_texts) {
-        at_each(root, path, [&before, &now](json& text) {
-            if (text == before) {
-                text = now;
+    for (const Renamed& renamed : renamed_texts) {
+        at_each(root, renamed.path, [&renamed](json& text) {
+            if (text == renamed.before) {
+                text = renamed.now;
             }
         });
     }

@@ -96,7 +96,9 @@ namespace {
 ForceMeasurement tension_of_cable(const CableNet& net, const VibratingCable& cable,
                                   const FrequencyMeasurement& measured, double free_length_std) {
     const int edge = measured.edge;
-    const auto [length, mass, given] = cable;
+    const double length = cable.length;  // not bound: lambdas below use them
+    const double mass = cable.mass;
+    const double given = cable.bending_stiffness;
     if (!(mass > 0.0)) {
         refuse_frequency(net, edge, "needs its mass: the net has none of it (mass [kg/m])");
     }
