@@ -155,6 +155,7 @@ std::string in_unit(UncertainParameter::Kind kind, double value) {
         case UncertainParameter::Kind::forces:
         case UncertainParameter::Kind::mass:
         case UncertainParameter::Kind::test_loads:
+        case UncertainParameter::Kind::support_stiffness:
             return scaled(100.0, 2) + " %";
         case UncertainParameter::Kind::temperature:
             return scaled(1.0, 1) + " K";

@@ -9,9 +9,12 @@
 namespace taut::app {
 
 std::string counts_text(const CableNet& net) {
-    return fmt::format("net {}: {} free nodes, {} supports, {} interior and {} adjustable edges",
-                       net.name(), net.free_node_count(), net.supports().size(),
-                       net.interior_edge_count(), net.adjustable_edges().size());
+    const size_t elastic = net.elastic_supports().size();
+    return fmt::format(
+        "net {}: {} free nodes{}, {} {}supports, {} interior and {} adjustable edges", net.name(),
+        net.free_node_count(), elastic > 0 ? fmt::format(" ({} elastic supports)", elastic) : "",
+        net.supports().size(), elastic > 0 ? "rigid " : "", net.interior_edge_count(),
+        net.adjustable_edges().size());
 }
 
 nlohmann::ordered_json counts_json(const CableNet& net) {

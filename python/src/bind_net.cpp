@@ -4,12 +4,15 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/variant.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arrays.hpp"
@@ -22,12 +25,41 @@
 #include "taut/net/cable_net.hpp"
 #include "taut/net/cable_runs.hpp"
 #include "taut/net/tension_law.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/plausibility.hpp"
 
 namespace taut::python {
 namespace {
 
 using Names = std::vector<std::string>;
+
+/// @param places of some of them; null: those of their nodes
+void add_elastic_supports(const std::map<int, ArrayLike>& stiffnesses,
+                          const std::map<int, ArrayLike>* places, CableNetData& data) {
+    for (const auto& [node, given] : stiffnesses) {
+        const std::string name = fmt::format("support_stiffness[{}]", node);
+        if (node < 0 || node >= data.nodes.cols()) {
+            throw nb::value_error(
+                fmt::format("{}: expected one of the {} nodes", name, data.nodes.cols()).c_str());
+        }
+        ElasticSupport support{.node = node, .place = data.nodes.col(node)};
+        if (numbers(given, name).ndim() == 2) {
+            support.stiffness = points_argument(given, name, 3).transpose();
+        } else {
+            support.stiffness = vector_or_number(given, name, 3).asDiagonal();
+        }
+        std::erase(data.supports, node);
+        data.elastic_supports.push_back(support);
+    }
+    for (const auto& [node, given] : places != nullptr ? *places : std::map<int, ArrayLike>()) {
+        const std::string name = fmt::format("support_place[{}]", node);
+        const auto found = std::ranges::find(data.elastic_supports, node, &ElasticSupport::node);
+        if (found == data.elastic_supports.end()) {
+            throw nb::value_error(fmt::format("{}: is no node of support_stiffness", name).c_str());
+        }
+        found->place = place_argument(given, name);
+    }
+}
 
 void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const ArrayLike& edges, const ArrayLike& axial_stiffness,
@@ -39,7 +71,9 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::optional<ArrayLike>& expansion,
               const std::optional<ArrayLike>& breaking_load, const Names& thread,
               const std::map<std::string, ArrayLike>& runs,
-              const std::optional<ArrayLike>& bending_stiffness) {
+              const std::optional<ArrayLike>& bending_stiffness,
+              const std::map<int, ArrayLike>& support_stiffness,
+              const std::variant<std::string, std::map<int, ArrayLike>>& support_place) {
     CableNetData data;
     data.name = name;
     data.nodes = points_argument(nodes, "nodes", -1);
@@ -76,7 +110,13 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
         data.runs.push_back(
             {.name = run, .edges = indices_argument(members, fmt::format("runs['{}']", run))});
     }
-    new (self) CableNet(std::move(data));
+    const auto* const places = std::get_if<std::map<int, ArrayLike>>(&support_place);
+    if (places == nullptr && std::get<std::string>(support_place) != "balanced") {
+        throw nb::value_error("support_place: expected 'balanced' or places by node");
+    }
+    add_elastic_supports(support_stiffness, places, data);
+    CableNet net(std::move(data));
+    new (self) CableNet(places == nullptr ? with_supports_in_balance(net) : net);
 }
 
 void bind_tension_law(nb::module_& module) {
@@ -139,11 +179,13 @@ void bind_net(nb::module_& module) {
             nb::arg("expansion") = nb::none(), nb::arg("breaking_load") = nb::none(),
             nb::arg("thread") = Names(), nb::arg("runs") = std::map<std::string, ArrayLike>(),
             nb::arg("bending_stiffness") = nb::none(),
+            nb::arg("support_stiffness") = std::map<int, ArrayLike>(),
+            nb::arg("support_place") = std::map<int, ArrayLike>(),
             R"(Checks every rule of a net.
 
 Args:
     nodes: (n, 3) nominal form [m].
-    supports: nodes on the rigid frame.
+    supports: nodes on the frame.
     edges: (m, 2) pairs of nodes.
     axial_stiffness: EA (m,), or one number for all [N].
     unstressed_lengths: (m,) [m].
@@ -162,6 +204,10 @@ Args:
     runs: named lists of edges that are cut from one cable; by default edges that go straight on
         through a node.
     bending_stiffness: EI (m,), or one number, for tensions from frequencies [N m2].
+    support_stiffness: of supports that give way, by node: one number, three of the axes, or a
+        matrix (3, 3) [N/m].
+    support_place: where they stand without load, by node (3,) [m], by default their place in
+        `nodes`; or 'balanced': such that they are in balance in the nominal form.
 
 Raises:
     NetError: naming the place, the value and the rule.
@@ -196,6 +242,18 @@ Raises:
     net.def_prop_ro("loads", view<&CableNet::loads>(),
                     "External forces, self-weight included (n, 3) [N].");
     net.def_prop_ro("supports", view<&CableNet::supports>(), "Nodes on the rigid frame.");
+    net.def_prop_ro(
+        "elastic_supports",
+        [](const CableNet& self) {
+            nb::dict result;
+            for (const auto& [node, stiffness, place] : self.elastic_supports()) {
+                result[nb::int_(node)] =
+                    nb::make_tuple(array_of_columns(stiffness), array_of(place));
+            }
+            return result;
+        },
+        "Supports that give way, by node: their stiffness (3, 3) [N/m] and their place without "
+        "load (3,) [m]. They are among the free nodes.");
     net.def_prop_ro("free_nodes", view<&CableNet::free_nodes>(), "Free nodes, ascending.");
     net.def_prop_ro("interior_edges", view<&CableNet::interior_edges>(),
                     "Edges of uncertain length, ascending.");

@@ -128,7 +128,8 @@ TAUT_FIELDS(SuggestedMeasurement, kind, edge, node, expected, std, remaining_std
 TAUT_FIELDS(MeasurementSuggestions, quantity, mean_tension, std, steps, left_out)
 
 // adjustment
-TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads)
+TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads,
+            support_stiffness)
 TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_because, failed_because)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)

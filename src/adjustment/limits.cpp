@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "adjustment/check_plan.hpp"
+#include "net/all_supports.hpp"
 #include "statics/arguments.hpp"
 
 namespace taut {
@@ -95,7 +96,7 @@ void check_force_limits(const CableNet& net, const Limits& limits) {
                             limit.name, limit.upper));
         }
         for (const int node : limit.supports) {
-            if (node < 0 || node >= net.node_count() || net.free_index(node) >= 0) {
+            if (node < 0 || node >= net.node_count() || !is_support(net, node)) {
                 throw std::invalid_argument(
                     fmt::format("the reaction limit of '{}' names node {}, which is no support",
                                 limit.name, node));

@@ -11,6 +11,7 @@
 
 #include "adjustment/tension_targets.hpp"
 #include "adjustment/work_stages.hpp"
+#include "net/all_supports.hpp"
 #include "statics/arguments.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/cable_vibration.hpp"
@@ -142,19 +143,19 @@ std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& tu
 
 ReactionLimit limit_of(const CableNet& net, const ReactionBound& bound) {
     if (!bound.group) {
-        return {.name = "all supports", .supports = net.supports(), .upper = bound.upper};
+        return {.name = "all supports", .supports = all_supports(net), .upper = bound.upper};
     }
     ReactionLimit limit{.name = *bound.group, .supports = {}, .upper = bound.upper};
     for (const int edge : edges_of_group(net, *bound.group, "reaction")) {
         for (const int node : net.edges()[edge]) {
-            if (net.free_index(node) < 0) {
+            if (is_support(net, node)) {
                 limit.supports.push_back(node);
             }
         }
     }
     std::ranges::sort(limit.supports);
-    const auto doubled = std::ranges::unique(limit.supports);
-    limit.supports.erase(doubled.begin(), doubled.end());
+    limit.supports.erase(std::unique(limit.supports.begin(), limit.supports.end()),
+                         limit.supports.end());
     if (limit.supports.empty()) {
         throw RequestError(
             "reaction",

@@ -6,6 +6,8 @@
 #include <random>
 #include <utility>
 
+#include "taut/statics/energy.hpp"
+
 namespace taut {
 namespace {
 
@@ -25,7 +27,7 @@ BalanceEquations::BalanceEquations(const CableNet& net, const Points& form,
     : m_forces(Eigen::VectorXd::Zero(Eigen::Index{3} * net.free_node_count())),
       m_matrix(m_forces.size(), net.interior_edge_count()) {
     Eigen::VectorXd node_stiffness = m_forces;
-    Points forces = -net.loads();
+    Points forces = elastic_forces(net, form) - net.loads();
     std::vector<Eigen::Triplet<double>> entries;
     int interior = 0;
     for (int e = 0; e < net.edge_count(); ++e) {

@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "net/all_supports.hpp"
 #include "net/weight_as_load.hpp"
 
 namespace taut {
@@ -35,6 +37,7 @@ CommonParameters::CommonParameters(const CableNet& net,
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
     m_load_rates.assign(count(), Points(3, 0));
+    std::ranges::copy(m_frame_loads, m_load_rates.begin() + first_of_frame());
     for (int k = 0; k < static_cast<int>(m_uncertain.size()); ++k) {
         const UncertainParameter& parameter = m_uncertain[k];
         if (parameter.kind == UncertainParameter::Kind::loads) {
@@ -61,18 +64,39 @@ CommonParameters::CommonParameters(const CableNet& net,
 /// Three translations and three rotations about the middle of the supports. A rotation moves the
 /// farthest support by as much as a translation does.
 void CommonParameters::set_frame(const CableNet& net) {
-    const Points places = net.nodes()(Eigen::all, net.supports());
+    const Points places = anchors(net);
     m_middle = places.rowwise().mean();
     const double reach = (places.colwise() - m_middle).colwise().norm().maxCoeff();
     m_reach = reach > 0.0 ? reach : 1.0;
     m_motions.assign(6, Points::Zero(3, net.node_count()));
-    for (const int node : net.supports()) {
-        const Eigen::Vector3d arm = (net.nodes().col(node) - m_middle) / m_reach;
-        for (int k = 0; k < 3; ++k) {
-            m_motions[k].col(node) = m_translation_unit * Eigen::Vector3d::Unit(k);
-            m_motions[3 + k].col(node) = m_translation_unit * Eigen::Vector3d::Unit(k).cross(arm);
+    const auto motion_of = [&](const Eigen::Vector3d& place, int k) -> Eigen::Vector3d {
+        const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k % 3);
+        return m_translation_unit * (k < 3 ? axis : axis.cross((place - m_middle) / m_reach));
+    };
+    m_frame_loads.assign(net.elastic_supports().empty() ? 0 : 6, Points::Zero(3, m_node_count));
+    for (int k = 0; k < 6; ++k) {
+        for (const int node : net.supports()) {
+            m_motions[k].col(node) = motion_of(net.nodes().col(node), k);
+        }
+        for (const auto& [node, stiffness, place] : net.elastic_supports()) {
+            m_frame_loads[k].col(node) = stiffness * motion_of(place, k);
         }
     }
+}
+
+double CommonParameters::support_stiffness_rate(int k) const {
+    return k < std::ssize(m_uncertain) &&
+                   m_uncertain[k].kind == UncertainParameter::Kind::support_stiffness
+               ? m_uncertain[k].std
+               : 0.0;
+}
+
+double CommonParameters::support_factor(const Eigen::VectorXd& values) const {
+    double logarithm = 0.0;
+    for (int k = 0; k < std::ssize(m_uncertain); ++k) {
+        logarithm += support_stiffness_rate(k) * values(k);
+    }
+    return std::exp(logarithm);
 }
 
 double CommonParameters::stiffness_factor(int edge, const Eigen::VectorXd& values) const {
@@ -104,6 +128,14 @@ Points CommonParameters::frame_motion(const Eigen::VectorXd& values) const {
     Eigen::VectorXd of_frame = values;
     of_frame.tail(values.size() - kept_count()).setZero();
     return support_motion(of_frame);
+}
+
+Points CommonParameters::frame_loads(const Eigen::VectorXd& values) const {
+    Points loads = Points::Zero(3, m_node_count);
+    for (size_t k = 0; k < m_frame_loads.size(); ++k) {
+        loads += values(first_of_frame() + static_cast<Eigen::Index>(k)) * m_frame_loads[k];
+    }
+    return loads;
 }
 
 Points CommonParameters::load_change(const Eigen::VectorXd& values) const {

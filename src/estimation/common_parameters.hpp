@@ -19,7 +19,8 @@ namespace taut {
            parameter.kind == UncertainParameter::Kind::loads ||
            parameter.kind == UncertainParameter::Kind::forces ||
            parameter.kind == UncertainParameter::Kind::mass ||
-           parameter.kind == UncertainParameter::Kind::test_loads;
+           parameter.kind == UncertainParameter::Kind::test_loads ||
+           parameter.kind == UncertainParameter::Kind::support_stiffness;
 }
 
 /// Outliers among adjustable edges and supports: nothing is assumed of them.
@@ -80,6 +81,10 @@ public:
     /// Change of the loads (3 x n); 3 x 0 where none can change [N].
     [[nodiscard]] Points load_change(const Eigen::VectorXd& values) const;
 
+    /// Factor of the stiffness of all elastic supports, and the change of its logarithm by one
+    /// standard deviation.
+    [[nodiscard]] double support_factor(const Eigen::VectorXd& values) const;
+    [[nodiscard]] double support_stiffness_rate(int k) const;
     /// Change of log(EA), and of the thermal strain, of an edge by one standard deviation.
     [[nodiscard]] double stiffness_rate(int k, int edge) const {
         return m_stiffness.size() > 0 ? m_stiffness(edge, k) : 0.0;
@@ -110,6 +115,8 @@ public:
     [[nodiscard]] Points support_motion(const Eigen::VectorXd& values) const;
     /// The part of it by the frame, which is no error of the supports.
     [[nodiscard]] Points frame_motion(const Eigen::VectorXd& values) const;
+    /// The change of the loads by that motion: elastic supports move, too (3 x n) [N].
+    [[nodiscard]] Points frame_loads(const Eigen::VectorXd& values) const;
 
 private:
     void set_frame(const CableNet& net);
@@ -122,6 +129,7 @@ private:
     std::vector<Points> m_motions;     ///< six of the frame, or none; three a moved support
     std::vector<Points> m_load_rates;  ///< count, each 3 x n or 3 x 0
     Eigen::Index m_node_count = 0;
+    std::vector<Points> m_frame_loads;  ///< six, or none
     Eigen::Vector3d m_middle = Eigen::Vector3d::Zero();
     double m_reach = 1.0;  ///< largest distance of a support from it [m]
     static constexpr double m_translation_unit = 0.1;  ///< far more than such errors [m]

@@ -75,6 +75,7 @@ std::optional<LinearisedFit> LinearisedFit::stepped(const Observations& observat
 bool Linearisation::factorize(const Iterate& iterate, const Observations& observations) {
     const int edge_count = m_model->net().edge_count();
     const int common_count = m_model->common.count();
+    m_load_factors = m_model->load_factors(iterate)(m_model->numbering().free_nodes);
     set_weights(observations);
     SaddlePointFactor& matrix = m_matrix->inner;
     std::ranges::fill(matrix.edge_stiffness, Eigen::Matrix3d::Zero());
@@ -92,6 +93,7 @@ bool Linearisation::factorize(const Iterate& iterate, const Observations& observ
         }
     }
     set_border(observations);
+    add_elastic_supports(iterate);
     if (observations.evidence) {
         set_evidence(observations);
     }
@@ -135,7 +137,8 @@ void Linearisation::set_weights(const Observations& observations) {
     matrix.length_weights(net.interior_edges()) =
         squared_unit * m_model->prior_variances(observations).cwiseInverse();
     matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
-                            observations.load_variance(Eigen::all, numbers.free_nodes);
+                            observations.load_variance(Eigen::all, numbers.free_nodes) *
+                            m_load_factors.cwiseAbs2().asDiagonal();
     matrix.force_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
 }
 
@@ -221,6 +224,23 @@ void Linearisation::set_border(const Observations& observations) {
     }
 }
 
+/// (elastic-supports)
+void Linearisation::add_elastic_supports(const Iterate& iterate) {
+    const CommonParameters& common = m_model->common;
+    const double factor = common.support_factor(iterate.common);
+    for (const auto& [node, stiffness, place] : m_model->net().elastic_supports()) {
+        const int local = m_model->numbering().local_of[node];
+        m_matrix->inner.node_stiffness[local] +=
+            m_length_unit * m_multiplier_unit * factor * stiffness;
+        const Eigen::Vector3d force =
+            factor * (stiffness * (iterate.form.col(node) - place) - iterate.loads.col(node));
+        for (int k = 0; k < common.count(); ++k) {
+            m_matrix->border[k].multipliers.col(local) +=
+                m_multiplier_unit * common.support_stiffness_rate(k) * force;
+        }
+    }
+}
+
 /// (frame), (boundary): motions of known supports are observed by the survey of these, motions of
 /// uncertain ones by their prior.
 void Linearisation::add_motions_to_border(const Observations& observations) {
@@ -299,7 +319,10 @@ BorderedFactor::Vector Linearisation::right_side(const Iterate& iterate,
     const StaticsNumbering& numbers = m_model->numbering();
     const CommonParameters& common = m_model->common;
     // (uncertain-parameters): a load gives way to its reaction.
-    const Points forces = m_model->imbalance(iterate) - (observations.load_mean - iterate.loads);
+    const Points given_way =
+        (observations.load_mean - iterate.loads)(Eigen::all, numbers.free_nodes) *
+        m_load_factors.asDiagonal();
+    const Points forces = m_model->imbalance(iterate)(Eigen::all, numbers.free_nodes) - given_way;
     const Points measured = observations.weighted(observations.form - iterate.form);
     const Points of_supports = observations.support_weights.cwiseProduct(
         observations.support_mean - m_model->support_deviations(iterate));
@@ -308,7 +331,7 @@ BorderedFactor::Vector Linearisation::right_side(const Iterate& iterate,
         .inner = {.places =
                       m_length_unit * misfit(Eigen::all, numbers.nodes) - m_reactions.inner.places,
                   .lengths = -m_reactions.inner.lengths,
-                  .multipliers = -m_multiplier_unit * forces(Eigen::all, numbers.free_nodes) +
+                  .multipliers = -m_multiplier_unit * forces +
                                  m_matrix->inner.load_variances.cwiseProduct(m_multipliers)},
         .border = observations.common_mean - iterate.common - m_reactions.border};
     result.inner.lengths(m_model->net().interior_edges()) +=
@@ -368,8 +391,8 @@ Iterate Linearisation::step(const Iterate& iterate, const Observations& observat
                    .common = solution.border};
     change.form(Eigen::all, numbers.nodes) = m_length_unit * solution.inner.places;
     change.loads(Eigen::all, numbers.free_nodes) +=
-        m_matrix->inner.load_variances.cwiseProduct(m_multipliers + solution.inner.multipliers) /
-        m_multiplier_unit;
+        m_matrix->inner.load_variances.cwiseProduct(m_multipliers + solution.inner.multipliers) *
+        m_load_factors.cwiseInverse().asDiagonal() / m_multiplier_unit;
     return change;
 }
 

@@ -118,6 +118,7 @@ private:
     void set_weights(const Observations& observations);
     void add_edge(int edge, const Iterate& iterate, const Observations& observations);
     void set_border(const Observations& observations);
+    void add_elastic_supports(const Iterate& iterate);
     void add_motions_to_border(const Observations& observations);
     void set_evidence(const Observations& observations);
     void set_reactions(const Eigen::Matrix3Xd& multipliers);
@@ -146,6 +147,7 @@ private:
     std::unique_ptr<BorderedFactor> m_matrix;
     Eigen::Matrix3Xd m_multipliers;      ///< lambda, 3 x free nodes
     BorderedFactor::Vector m_reactions;  ///< H lambda, B' lambda and those of the border
+    Eigen::VectorXd m_load_factors;      ///< free nodes
     Eigen::MatrixXd m_tension_rates;     ///< m x common parameters: dT by each [N]
     Eigen::MatrixXd m_measured_rates;    ///< the same of force measurements, (shared-error) [N]
     // Units that make all blocks of order 1: of places and lengths, and of multipliers.

@@ -41,7 +41,8 @@ Covariance Linearisation::covariance() const {
         if (local < numbers.local.free_count) {  // V + V Z V, Z the inverse over the multipliers
             const Eigen::Vector3d variance = m_matrix->inner.load_variances.col(local);
             const Eigen::Matrix3d V = variance.asDiagonal();
-            result.loads[node] = (V + V * found.multipliers[local] * V) / force_unit;
+            result.loads[node] = (V + V * found.multipliers[local] * V) /
+                                 (force_unit * m_load_factors(local) * m_load_factors(local));
         }
     }
     result.multipliers = std::move(found.multipliers);

@@ -15,6 +15,7 @@
 #include "estimation/prestress_shift.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -232,6 +233,7 @@ private:
                                            const Eigen::VectorXd& common) const;
     [[nodiscard]] ModelPerturbation drawn_perturbation(const Iterate& drawn,
                                                        const Eigen::VectorXd& own_stiffness) const;
+    void take_support_stiffness(ModelPerturbation& perturbation, const Points& form) const;
     [[nodiscard]] double squared_departure(const Iterate& drawn, const Eigen::VectorXd& tensions,
                                            const Points& form,
                                            const Eigen::VectorXd& tensions_in_balance) const;
@@ -382,11 +384,19 @@ ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
     }
     result.supports(Eigen::all, m_net.supports()) =
         (drawn.form - m_net.nodes())(Eigen::all, m_net.supports());
-    result.own_loads = drawn.loads;
+    result.own_loads = drawn.loads * m_model.load_factors(drawn).asDiagonal();
+    result.support_stiffness = std::log(common.support_factor(drawn.common));
     if (const Points change = common.load_change(drawn.common); change.cols() > 0) {
         result.own_loads += change;
     }
     return result;
+}
+
+/// (elastic-supports): samples hold what another stiffness of supports changes as loads on these.
+void Perturbation::take_support_stiffness(ModelPerturbation& perturbation,
+                                          const Points& form) const {
+    const double factor = std::exp(std::exchange(perturbation.support_stiffness, 0.0));
+    perturbation.own_loads += (1.0 - factor) * elastic_forces(m_net, form);
 }
 
 /// Squared distance of a form in equilibrium and its tensions from those of the draw, in standard
@@ -537,6 +547,8 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                 return std::nullopt;
             }
             result.perturbation->supports -= m_model.common.frame_motion(drawn.common);
+            result.perturbation->own_loads -= m_model.common.frame_loads(drawn.common);
+            take_support_stiffness(*result.perturbation, result.form);
         } catch (const NetError&) {
             return std::nullopt;  // a length that is no longer positive
         }

@@ -25,6 +25,11 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
         1.0 / (force.std * force.std + force.shared_std * force.shared_std);
 }
 
+Eigen::Vector3d place_force_variance(const ElasticSupport& support, double place_std) {
+    return place_std * place_std *
+           (support.stiffness * support.stiffness).cwiseAbs().rowwise().sum();
+}
+
 double PriorKnowledge::length_std() const {
     double sum = 0.0;
     for (const LengthPrior& prior : priors) {
@@ -95,11 +100,14 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
         for (const int node : net.supports()) {
             result.support_weights.col(node).setConstant(1.0 / (std * std));
         }
+        for (const ElasticSupport& support : net.elastic_supports()) {
+            result.load_variance.col(support.node) += place_force_variance(support, std);
+        }
     }
     if (const double std = std_of(knowledge.uncertain, UncertainParameter::Kind::loads_each);
         std > 0.0) {
         for (const int node : net.free_nodes()) {
-            result.load_variance.col(node).setConstant(std * std);
+            result.load_variance.col(node).array() += std * std;
         }
     }
     result.set_evidence(knowledge.evidence);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -133,10 +134,21 @@ Eigen::VectorXd StaticsModel::tensions(const Iterate& iterate) const {
     return result;
 }
 
+Eigen::VectorXd StaticsModel::load_factors(const Iterate& iterate) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Ones(m_net->node_count());
+    for (const ElasticSupport& support : m_net->elastic_supports()) {
+        result(support.node) = common.support_factor(iterate.common);
+    }
+    return result;
+}
+
 Points StaticsModel::imbalance(const Iterate& iterate) const {
-    Points forces = -m_net->loads() - iterate.loads;
+    Points forces = -m_net->loads() - iterate.loads * load_factors(iterate).asDiagonal();
     if (const Points change = common.load_change(iterate.common); change.cols() > 0) {
         forces -= change;
+    }
+    if (!m_net->elastic_supports().empty()) {
+        forces += common.support_factor(iterate.common) * elastic_forces(*m_net, iterate.form);
     }
     for (int e = 0; e < m_net->edge_count(); ++e) {
         if (!slack[e]) {

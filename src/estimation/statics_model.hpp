@@ -115,6 +115,9 @@ public:
     [[nodiscard]] EdgeVariation common_variation(int edge, int k, const Iterate& iterate) const;
     /// Of all edges: pressure is negative (m) [N].
     [[nodiscard]] Eigen::VectorXd tensions(const Iterate& iterate) const;
+    /// What a load of Iterate::loads counts at each node: at an elastic support it stands for an
+    /// error of its place, and grows with its stiffness. (elastic-supports) (n).
+    [[nodiscard]] Eigen::VectorXd load_factors(const Iterate& iterate) const;
     /// Out-of-balance forces (3 x n) [N].
     [[nodiscard]] Points imbalance(const Iterate& iterate) const;
 

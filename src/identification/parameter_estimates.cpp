@@ -69,6 +69,7 @@ public:
                 case Kind::forces:
                 case Kind::mass:
                 case Kind::test_loads:
+                case Kind::support_stiffness:
                     add_common(parameter, common++);
                     break;
                 case Kind::stiffness_each:
@@ -156,12 +157,43 @@ private:
                 m_fitted.form.col(node) - m_net.nodes().col(node) - motion.col(node);
             add_node(parameter, node, shift, m_covariance.places[node]);
         }
+        for (const ElasticSupport& support : m_net.elastic_supports()) {
+            add_anchor(parameter, support);
+        }
+    }
+
+    /// (elastic-supports): the place of a support without load, by the force that its error adds.
+    void add_anchor(const UncertainParameter& parameter, const ElasticSupport& support) {
+        const int node = support.node;
+        const Eigen::Vector3d own = place_force_variance(support, parameter.std);
+        Eigen::Vector3d force;
+        Eigen::Vector3d variance;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Share of_it = share_of(own(axis), m_sites.load_variance(axis, node),
+                                         m_fitted.loads(axis, node) - m_sites.load_mean(axis, node),
+                                         m_covariance.loads[node](axis, axis));
+            force(axis) = of_it.mean;
+            variance(axis) = of_it.variance;
+        }
+        const Eigen::Matrix3d flexibility = support.stiffness.inverse();
+        Eigen::Matrix3d covariance = flexibility * variance.asDiagonal() * flexibility.transpose();
+        const double prior = parameter.std * parameter.std;
+        covariance.diagonal() = covariance.diagonal().cwiseMin(prior);
+        add_node(parameter, node, flexibility * force, covariance);
     }
 
     void add_own_loads(const UncertainParameter& parameter) {
+        const double prior = parameter.std * parameter.std;
         for (const int node : m_net.free_nodes()) {
-            const Eigen::Vector3d load = m_fitted.loads.col(node);
-            add_node(parameter, node, load, m_covariance.loads[node]);
+            Eigen::Vector3d load = m_fitted.loads.col(node);
+            Eigen::Matrix3d covariance = m_covariance.loads[node];
+            for (int axis = 0; axis < 3; ++axis) {  // the rest is of an elastic support
+                const Share own = share_of(prior, m_sites.load_variance(axis, node), load(axis),
+                                           covariance(axis, axis));
+                load(axis) = own.mean;
+                covariance(axis, axis) = own.variance;
+            }
+            add_node(parameter, node, load, covariance);
         }
     }
 
@@ -250,6 +282,9 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 break;
             case Kind::adjustable:
                 result.adjustable(estimate.edge) = mean;
+                break;
+            case Kind::support_stiffness:
+                result.support_stiffness = mean;
                 break;
             case Kind::loads:
                 result.loads = mean;

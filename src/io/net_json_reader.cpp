@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "files/json_parse.hpp"
 #include "files/json_value.hpp"
 #include "files/message.hpp"
@@ -10,6 +12,7 @@
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/plausibility.hpp"
 
 namespace taut {
@@ -147,6 +150,117 @@ std::vector<CableRun> read_runs(const std::optional<JsonValue>& list) {
     return runs;
 }
 
+Eigen::Matrix3d read_stiffness(const JsonValue& value) {
+    constexpr const char* expected =
+        "null, a number, three numbers [x, y, z] or a matrix of 3 x 3 [N/m]";
+    if (value.json().is_number()) {
+        return value.number() * Eigen::Matrix3d::Identity();
+    }
+    value.require_array(3, expected);
+    Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const JsonValue row = value.at(static_cast<size_t>(i));
+        if (row.json().is_number()) {
+            result(i, i) = row.number();
+            continue;
+        }
+        row.require_array(3, expected);
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            result(i, k) = row.at(static_cast<size_t>(k)).number();
+        }
+    }
+    return result;
+}
+
+/// Whether places follow from the nominal form, with_supports_in_balance().
+bool are_balanced(const JsonValue& places) {
+    return places.json().is_string() && places.text() == "balanced";
+}
+
+/// Moves supports with a stiffness from the rigid to the elastic ones.
+void read_elastic_supports(const JsonValue& root, CableNetData& data) {
+    const auto stiffnesses = root.find("support_stiffness");
+    const auto places = root.find("support_place");
+    if (places && !stiffnesses) {
+        places->fail("is given without \"support_stiffness\"");
+    }
+    if (!stiffnesses) {
+        return;
+    }
+    const std::vector<int> all = std::exchange(data.supports, {});
+    const bool is_one_for_all = stiffnesses->json().is_number();
+    if (!is_one_for_all) {
+        stiffnesses->require_array(all.size(),
+                                   "one number or an array with an entry for each support");
+    }
+    const bool are_listed = places && !are_balanced(*places);
+    if (are_listed) {
+        places->require_array(all.size(),
+                              "\"balanced\" or an array with an entry for each support");
+    }
+    for (size_t i = 0; i < all.size(); ++i) {
+        const JsonValue stiffness = is_one_for_all ? *stiffnesses : stiffnesses->at(i);
+        const bool has_place = are_listed && !places->at(i).json().is_null();
+        if (stiffness.json().is_null()) {
+            if (has_place) {
+                places->at(i).fail("is given for a support without stiffness, expected null");
+            }
+            data.supports.push_back(all[i]);
+            continue;
+        }
+        if (all[i] < 0 || all[i] >= data.nodes.cols()) {
+            root.fail_below(
+                fmt::format("/supports/{}", i),
+                fmt::format("is {}, expected one of the {} nodes", all[i], data.nodes.cols()));
+        }
+        ElasticSupport support{.node = all[i],
+                               .stiffness = read_stiffness(stiffness),
+                               .place = data.nodes.col(all[i])};
+        if (has_place) {
+            const JsonValue place = places->at(i);
+            place.require_array(3, "three numbers [x, y, z], or null");
+            for (Eigen::Index k = 0; k < 3; ++k) {
+                support.place(k) = place.at(static_cast<size_t>(k)).number();
+            }
+        }
+        data.elastic_supports.push_back(support);
+    }
+}
+
+/// Entry of "supports" of the i-th rigid or elastic one.
+int entry_of_support(const JsonValue& root, bool is_elastic, int i) {
+    const nlohmann::json& stiffnesses = root.json().at("support_stiffness");
+    if (stiffnesses.is_number()) {
+        return i;
+    }
+    for (int entry = 0; entry < static_cast<int>(stiffnesses.size()); ++entry) {
+        if (!stiffnesses.at(static_cast<size_t>(entry)).is_null() == is_elastic && i-- == 0) {
+            return entry;
+        }
+    }
+    return i;
+}
+
+/// JSON pointer of a broken rule.
+std::string pointer_to(const JsonValue& root, const NetError& error) {
+    const std::string& field = error.field();
+    if (root.json().contains(field) && root.json().at(field).is_number()) {
+        return "/" + field;  // one for all
+    }
+    const bool is_elastic =
+        field == "elastic_supports" || field == "support_stiffness" || field == "support_place";
+    if (root.json().contains("support_stiffness") && !error.index().empty() &&
+        (is_elastic || field == "supports")) {
+        return fmt::format("/{}/{}", field == "elastic_supports" ? "supports" : field,
+                           entry_of_support(root, is_elastic, error.index().front()));
+    }
+    std::string pointer = "/" + field;
+    for (const int index : error.index()) {
+        pointer += "/" + std::to_string(index);
+    }
+    return pointer;
+}
+
 /// A number for each edge, or one for all; none where the key is not there.
 Eigen::VectorXd read_rates(const std::optional<JsonValue>& value, size_t edges) {
     return value ? read_numbers_or_one(*value, edges) : Eigen::VectorXd();
@@ -187,6 +301,7 @@ CableNetData read_data(const JsonValue& root) {
     data.bending_stiffness = read_rates(root.find("bending_stiffness"), data.edges.size());
     data.thread = read_threads(root.find("thread"));
     data.runs = read_runs(root.find("runs"));
+    read_elastic_supports(root, data);
     return data;
 }
 
@@ -195,19 +310,12 @@ CableNetData read_data(const JsonValue& root) {
 CableNet read_net_value(const JsonValue& root) {
     check_format(root);
     CableNetData data = read_data(root);
-    const auto is_one_for_all = [&root](const std::string& field) {
-        return root.json().contains(field) && root.json().at(field).is_number();
-    };
     try {
-        return CableNet(std::move(data));
+        CableNet net(std::move(data));
+        const auto places = root.find("support_place");
+        return places && are_balanced(*places) ? with_supports_in_balance(net) : net;
     } catch (const NetError& error) {
-        std::string pointer = "/" + error.field();
-        if (!is_one_for_all(error.field())) {
-            for (const int index : error.index()) {
-                pointer += "/" + std::to_string(index);
-            }
-        }
-        root.fail_below(pointer, error.problem());
+        root.fail_below(pointer_to(root, error), error.problem());
     }
 }
 

@@ -9,6 +9,7 @@
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
 #include "io/net_keys.hpp"
+#include "net/all_supports.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/net_json.hpp"
 
@@ -125,6 +126,25 @@ std::string tension_laws_text(const std::vector<TensionLaw>& laws) {
     });
 }
 
+/// One a support; null for those of the rigid frame, which come first.
+template <typename ToText>
+std::string of_supports_text(const CableNetData& data, const ToText& to_text) {
+    const auto rigid = std::ssize(data.supports);
+    return one_a_line(rigid + std::ssize(data.elastic_supports), [&](Eigen::Index i) {
+        return i < rigid ? std::string("null")
+                         : to_text(data.elastic_supports[static_cast<size_t>(i - rigid)]);
+    });
+}
+
+std::string stiffness_text(const Eigen::Matrix3d& stiffness) {
+    if (stiffness.isDiagonal(0.0)) {
+        return numbers_text(stiffness.diagonal());
+    }
+    return fmt::format("[{}, {}, {}]", numbers_text(stiffness.row(0).transpose()),
+                       numbers_text(stiffness.row(1).transpose()),
+                       numbers_text(stiffness.row(2).transpose()));
+}
+
 json parse_unknown_keys(const std::string& text) {
     const json keys = [&text] {
         try {
@@ -158,7 +178,7 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
     add("version", std::to_string(net_version));
     add("name", text_text(data.name));
     add("nodes", points_text(data.nodes));
-    add("supports", indices_text(data.supports));
+    add("supports", indices_text(all_supports(data)));
     add("edges", edges_text(data.edges));
     add("axial_stiffness", one_or_all(data.axial_stiffness));
     add("unstressed_lengths", wrapped(data.unstressed_lengths, number_text));
@@ -197,6 +217,14 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
     if (!data.thread.empty()) {
         add("thread", wrapped(data.thread, [](Thread thread) {
                 return std::string(thread == Thread::right ? R"("right")" : R"("left")");
+            }));
+    }
+    if (!data.elastic_supports.empty()) {
+        add("support_stiffness", of_supports_text(data, [](const ElasticSupport& support) {
+                return stiffness_text(support.stiffness);
+            }));
+        add("support_place", of_supports_text(data, [](const ElasticSupport& support) {
+                return numbers_text(support.place);
             }));
     }
     for (const auto& [key, value] : unknown.items()) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "net/fingerprint.hpp"
 
+#include <array>
+
 #include "numerics/fnv1a.hpp"
 
 namespace taut {
@@ -24,6 +26,11 @@ std::string compute_fingerprint(const CableNetData& data) {
     }
     if (data.mass.size() > 0) {
         hash.add_list(data.mass);
+    }
+    for (const ElasticSupport& support : data.elastic_supports) {
+        hash.add_list(std::array{support.node});
+        hash.add_list(support.stiffness);
+        hash.add_list(support.place);
     }
     return hash.text();
 }

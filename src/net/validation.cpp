@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -136,6 +138,49 @@ void check_edges(const CableNetData& data, const std::vector<bool>& is_support) 
     }
 }
 
+void check_elastic_supports(const CableNetData& data, std::vector<bool> is_support) {
+    // A weaker direction would be lost in rounding errors of the strongest.
+    constexpr double weakest_share = 1e-12;
+    constexpr double largest_asymmetry = 1e-9;
+    for (int i = 0; i < std::ssize(data.elastic_supports); ++i) {
+        const auto& [node, stiffness, place] = data.elastic_supports[i];
+        if (node < 0 || node >= std::ssize(is_support)) {
+            throw NetError("elastic_supports", {i},
+                           fmt::format("names node {}, expected one of the {} nodes", node,
+                                       is_support.size()));
+        }
+        if (is_support[node]) {
+            throw NetError("elastic_supports", {i},
+                           fmt::format("names node {}, which is a support already", node));
+        }
+        is_support[node] = true;
+        const double largest = stiffness.cwiseAbs().maxCoeff();
+        if (!stiffness.allFinite() || largest > largest_magnitude) {
+            throw NetError(
+                "support_stiffness", {i},
+                fmt::format("expected finite numbers of no more than {:g}", largest_magnitude));
+        }
+        const Eigen::Matrix3d difference = stiffness - stiffness.transpose();
+        const Eigen::Vector3d strengths =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stiffness, Eigen::EigenvaluesOnly)
+                .eigenvalues();
+        if (difference.cwiseAbs().maxCoeff() > largest_asymmetry * largest ||
+            !(strengths.minCoeff() > weakest_share * strengths.maxCoeff())) {
+            throw NetError("support_stiffness", {i},
+                           "is not symmetric and positive definite, expected a stiffness in every "
+                           "direction");
+        }
+        for (int k = 0; k < 3; ++k) {
+            if (!std::isfinite(place(k)) || std::abs(place(k)) > largest_magnitude) {
+                throw NetError("support_place", {i},
+                               fmt::format("is {} in {}, expected a finite number of no more than "
+                                           "{:g}",
+                                           place(k), "xyz"[k], largest_magnitude));
+            }
+        }
+    }
+}
+
 void check_connected(const CableNetData& data, const std::vector<bool>& is_support) {
     const auto n = static_cast<int>(is_support.size());
     UnionFind parts(n);
@@ -147,6 +192,9 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
     std::vector<bool> supported(n, false);
     for (const int support : data.supports) {
         supported[parts.root(support)] = true;
+    }
+    for (const ElasticSupport& support : data.elastic_supports) {
+        supported[parts.root(support.node)] = true;
     }
     for (int i = 0; i < n; ++i) {
         if (is_support[i]) {
@@ -287,6 +335,7 @@ void validate(const CableNetData& data) {
     }
     check_edges(data, is_support);
     check_indices("adjustable", data.adjustable, static_cast<int>(data.edges.size()), "edge");
+    check_elastic_supports(data, is_support);
     check_connected(data, is_support);
     if (has_line_break(data.name)) {
         throw NetError("name", {},

@@ -54,6 +54,7 @@ std::string_view unit_of(const UncertainParameter& parameter) {
         case UncertainParameter::Kind::forces:
         case UncertainParameter::Kind::mass:
         case UncertainParameter::Kind::test_loads:
+        case UncertainParameter::Kind::support_stiffness:
             break;
     }
     return "1";

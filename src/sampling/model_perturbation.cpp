@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "net/all_supports.hpp"
 #include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
 
@@ -67,11 +68,14 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                 break;
             }
             case UncertainParameter::Kind::supports:
-                for (const int node : net.supports()) {
+                for (const int node : all_supports(net)) {
                     for (double& coordinate : result.supports.col(node)) {
                         coordinate = parameter.std * random.normal();
                     }
                 }
+                break;
+            case UncertainParameter::Kind::support_stiffness:
+                result.support_stiffness = parameter.std * random.normal();
                 break;
             case UncertainParameter::Kind::adjustable:
                 for (const int edge : net.adjustable_edges()) {
@@ -106,7 +110,11 @@ CableNet net_under(const CableNet& net, const ModelPerturbation& perturbation,
                                                 unstressed_lengths.size(), net.edge_count()));
     }
     CableNetData data = with_weight_as_load(net);
-    data.nodes += perturbation.supports;
+    data.nodes(Eigen::all, net.supports()) += perturbation.supports(Eigen::all, net.supports());
+    for (ElasticSupport& support : data.elastic_supports) {
+        support.place += perturbation.supports.col(support.node);
+        support.stiffness *= std::exp(perturbation.support_stiffness);
+    }
     data.axial_stiffness.array() *= perturbation.stiffness.array().exp();
     if (!net.is_linear()) {
         scale_laws(net, perturbation.stiffness, data);

@@ -32,11 +32,12 @@ constexpr std::array parameter_names{Named{"stiffness", Kind::stiffness, true},
                                      Named{"loads", Kind::loads_each, false},
                                      Named{"forces", Kind::forces, false},
                                      Named{"mass", Kind::mass, false},
-                                     Named{"test-loads", Kind::test_loads, false}};
+                                     Named{"test-loads", Kind::test_loads, false},
+                                     Named{"support-stiffness", Kind::support_stiffness, false}};
 
 constexpr std::string_view parameter_examples =
     "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N, "
-    "loads:10%, forces:1%, mass:3% or test-loads:1%";
+    "loads:10%, forces:1%, mass:3%, test-loads:1% or support-stiffness:10%";
 
 /// @throws std::invalid_argument where the text is not of the kind's unit
 double parse_width(Kind kind, std::string_view text) {
@@ -47,6 +48,7 @@ double parse_width(Kind kind, std::string_view text) {
         case Kind::forces:
         case Kind::mass:
         case Kind::test_loads:
+        case Kind::support_stiffness:
             return parse_part(text);
         case Kind::temperature:
             return parse_temperature(text);
@@ -61,7 +63,8 @@ double parse_width(Kind kind, std::string_view text) {
 
 bool is_relative(Kind kind) {
     return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads ||
-           kind == Kind::forces || kind == Kind::mass || kind == Kind::test_loads;
+           kind == Kind::forces || kind == Kind::mass || kind == Kind::test_loads ||
+           kind == Kind::support_stiffness;
 }
 
 std::string width_text(const UncertainParameter& parameter) {
@@ -72,6 +75,7 @@ std::string width_text(const UncertainParameter& parameter) {
         case Kind::forces:
         case Kind::mass:
         case Kind::test_loads:
+        case Kind::support_stiffness:
             return fmt::format("{:.12g}%", 1e2 * parameter.std);
         case Kind::temperature:
             return fmt::format("{:.12g}K", parameter.std);
@@ -168,6 +172,11 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
                 refuse(parameter, "needs edges with a mass, but the net has no mass [kg/m]");
             }
             break;
+        case Kind::support_stiffness:
+            if (net.elastic_supports().empty()) {
+                refuse(parameter, "needs elastic supports, but the net has none");
+            }
+            break;
         case Kind::stiffness:
         case Kind::stiffness_each:
         case Kind::forces:
@@ -261,6 +270,7 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     constexpr double of_cells = 0.01;
     constexpr double of_mass = 0.03;
     constexpr double of_test_loads = 0.02;
+    constexpr double of_supports = 0.1;
     const std::vector<UncertainParameter> before = given;
     const auto assume = [&](Kind kind, double std) {
         const auto is_same = [kind](const UncertainParameter& one) {
@@ -281,6 +291,7 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
                std::min(turned, most_of_length * lengths(net.adjustable_edges()).minCoeff()));
     }
     assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
+    assume(Kind::support_stiffness, net.elastic_supports().empty() ? 0.0 : of_supports);
     assume(Kind::forces, forces.by_cells ? of_cells : 0.0);
     assume(Kind::mass, forces.by_mass ? of_mass : 0.0);
     assume(Kind::test_loads, forces.by_loads ? of_test_loads : 0.0);

@@ -117,6 +117,17 @@ private:
         if (form == ConeForm::paper) {
             m_program.q(variables - 1) = 0.5;
         }
+        const double unit = m_units.length / m_units.force;
+        for (const auto& [node, stiffness, place] : m_net.elastic_supports()) {
+            const int first = 3 * m_net.free_index(node);
+            m_program.q.segment<3>(first) +=
+                stiffness * (m_net.nodes().col(node) - place) / m_units.force;
+            for (int j = 0; j < 3; ++j) {
+                for (int i = 0; i <= j; ++i) {
+                    m_program.P.insert(first + i, first + j) = unit * stiffness(i, j);
+                }
+            }
+        }
         m_program.P.makeCompressed();
     }
 
@@ -240,11 +251,16 @@ ConeSolution solve_cone_program(const CableNet& net,
                         .iterations = found.iterations,
                         .primal_residual = found.primal_residual,
                         .dual_residual = found.dual_residual};
-    double work = 0.0;  // of the loads up to the net's nodes, where the program's coordinates start
+    // Of loads and springs up to the net's nodes, where the program's coordinates start.
+    double work = 0.0;
     for (int i = 0; i < net.free_node_count(); ++i) {
         const int node = net.free_nodes()[i];
         work += net.loads().col(node).dot(net.nodes().col(node));
         result.form.col(node) += units.length * found.x.segment<3>(Eigen::Index{3} * i);
+    }
+    for (const auto& [node, stiffness, place] : net.elastic_supports()) {
+        const Eigen::Vector3d shift = net.nodes().col(node) - place;
+        work -= 0.5 * shift.dot(stiffness * shift);
     }
     const double joule = units.force * units.length;
     result.primal_objective = joule * found.primal_objective - work;

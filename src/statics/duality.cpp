@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/duality.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <utility>
 
 #include "numerics/sparse_cholesky.hpp"
 #include "statics/edge_state.hpp"
@@ -21,22 +23,30 @@ constexpr double slack_share = 1e-6;
 /// of rounding errors of some EA 1e-16 in slack edges, so it is no scale for the gap.
 constexpr double negligible_strain = 1e-6;
 
-/// sum_(s,t) f - sum_(t,s) f - p_s of the free nodes (n_I x 3) [N].
-Eigen::MatrixX3d imbalance(const CableNet& net, const Points& edge_forces) {
-    Points forces = -net.loads();
+/// Forces that edges exert, and forces on the springs of elastic supports, 0 at other nodes [N].
+struct Forces {
+    Points edges;    ///< 3 x m
+    Points springs;  ///< 3 x n
+};
+
+/// sum_(s,t) f - sum_(t,s) f + g - p_s of the free nodes (n_I x 3) [N].
+Eigen::MatrixX3d imbalance(const CableNet& net, const Forces& of) {
+    Points forces = of.springs - net.loads();
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
-        forces.col(s) += edge_forces.col(e);
-        forces.col(t) -= edge_forces.col(e);
+        forces.col(s) += of.edges.col(e);
+        forces.col(t) -= of.edges.col(e);
     }
     return forces(Eigen::all, net.free_nodes()).transpose();
 }
 
 /// Balances forces by the correction g with the least sum |g|^2 / (2 c), c being an edge's
 /// stiffness. With multipliers y at the free nodes (0 at supports), g = -c (y_s - y_t), and balance
-/// requires C y = h with the imbalance h and the Laplacian C of the net weighted by c. C is
-/// positive definite, since a path of edges joins every node to a support.
-void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge_forces) {
+/// requires C y = h with the imbalance h and the Laplacian C of the net weighted by c. A spring
+/// counts as an edge to a support, with its mean stiffness. C is positive definite, since a path of
+/// edges joins every node to a support.
+void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Forces& forces) {
+    const auto mean_of = [](const ElasticSupport& one) { return one.stiffness.trace() / 3.0; };
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * net.edges().size());
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -53,6 +63,10 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
             entries.emplace_back(j, i, -stiffness(e));
         }
     }
+    for (const ElasticSupport& support : net.elastic_supports()) {
+        const int k = net.free_index(support.node);
+        entries.emplace_back(k, k, mean_of(support));
+    }
     Eigen::SparseMatrix<double> laplacian(net.free_node_count(), net.free_node_count());
     laplacian.setFromTriplets(entries.begin(), entries.end());
     const SparseCholesky factor(laplacian);
@@ -61,10 +75,13 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
     for (int round = 0; round < 2; ++round) {
         Points multipliers = Points::Zero(3, net.node_count());
         multipliers(Eigen::all, net.free_nodes()) =
-            factor.solve(imbalance(net, edge_forces)).transpose();
+            factor.solve(imbalance(net, forces)).transpose();
         for (int e = 0; e < net.edge_count(); ++e) {
             const auto [s, t] = net.edges()[e];
-            edge_forces.col(e) -= stiffness(e) * (multipliers.col(s) - multipliers.col(t));
+            forces.edges.col(e) -= stiffness(e) * (multipliers.col(s) - multipliers.col(t));
+        }
+        for (const ElasticSupport& support : net.elastic_supports()) {
+            forces.springs.col(support.node) -= mean_of(support) * multipliers.col(support.node);
         }
     }
 }
@@ -122,7 +139,9 @@ double gap_of(const EdgeState& state, double unstressed_length, const TensionLaw
 EnergyCertificate certify_states(const CableNet& net,
                                  const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                  const Eigen::Ref<const Points>& form,
-                                 const std::vector<EdgeState>& states, Points forces) {
+                                 const std::vector<EdgeState>& states, Points edge_forces) {
+    const Points springs = elastic_forces(net, form);
+    Forces forces{.edges = std::move(edge_forces), .springs = springs};
     Eigen::VectorXd stiffness =
         slack_share * net.axial_stiffness().cwiseQuotient(unstressed_lengths);
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -139,9 +158,19 @@ EnergyCertificate certify_states(const CableNet& net,
         const EdgeState& state = states[e];
         const TensionLaw* law = net.tension_law(e);
         elastic += energy_of(state, unstressed_lengths(e), law);
-        complementary += complementary_energy(forces.col(e).norm(), unstressed_lengths(e),
+        complementary += complementary_energy(forces.edges.col(e).norm(), unstressed_lengths(e),
                                               net.axial_stiffness()(e), law);
-        result.duality_gap += gap_of(state, unstressed_lengths(e), law, forces.col(e));
+        result.duality_gap += gap_of(state, unstressed_lengths(e), law, forces.edges.col(e));
+    }
+    for (const ElasticSupport& support : net.elastic_supports()) {
+        const auto energy_by = [&](const Eigen::Vector3d& force) {
+            return 0.5 * force.dot(support.stiffness.llt().solve(force));
+        };
+        const Eigen::Vector3d force = springs.col(support.node);
+        const Eigen::Vector3d in_balance = forces.springs.col(support.node);
+        elastic += energy_by(force);
+        complementary += energy_by(in_balance);
+        result.duality_gap += energy_by(in_balance - force);
     }
     result.complementary_energy = result.energy - result.duality_gap;
     const double negligible =

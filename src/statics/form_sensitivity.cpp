@@ -192,6 +192,10 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
             result.nodes.col(f.net.node_of[i]) = gradient.col(f.net.node_of[i]);
         }
     }
+    for (const Spring& spring : f.net.springs) {
+        result.nodes.col(f.net.node_of[spring.node]) =
+            spring.stiffness * multipliers.segment<3>(Eigen::Index{3} * spring.node);
+    }
     for (int e = 0; e < f.lengths.size(); ++e) {
         const EdgeState& state = f.states[e];
         if (!state.taut()) {

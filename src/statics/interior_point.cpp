@@ -152,6 +152,7 @@ void InteriorPoint::start_on_path(const LocalNet& net, const NetState& state, do
 /// h(r, T) of the tensions on the path.
 void InteriorPoint::update_imbalance(const LocalNet& net, const NetState& state) {
     m_imbalance = -net.loads;
+    net.add_spring_forces(state.form(), m_imbalance);
     add_forces(net, state, [&](size_t e) { return m_edges[e].tension; }, m_imbalance);
 }
 

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "statics/local_net.hpp"
 
+#include "net/all_supports.hpp"
+
 namespace taut {
 namespace {
 
 /// Largest distance of a node from the middle of the supports: that of the farthest support plus
 /// ten times the net's total length of cable. No cable can be stretched further.
-double reach_of(const CableNet& net, const Eigen::Vector3d& middle) {
+double reach_of(const CableNet& net, const Points& places, const Eigen::Vector3d& middle) {
     constexpr double stretched = 10.0;
-    const double supports =
-        (net.nodes()(Eigen::all, net.supports()).colwise() - middle).colwise().norm().maxCoeff();
+    const double supports = (places.colwise() - middle).colwise().norm().maxCoeff();
     return supports + stretched * net.unstressed_lengths().sum();
 }
 
@@ -48,8 +49,9 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     local.laws = net.data().tension_laws;
     local.law_of_edge = net.data().tension_law;
     local.supports = net.nodes()(Eigen::all, net.supports());
-    const Eigen::Vector3d middle = local.supports.rowwise().mean();
-    local.reach = reach_of(net, middle);
+    const Points places = anchors(net);
+    const Eigen::Vector3d middle = places.rowwise().mean();
+    local.reach = reach_of(net, places, middle);
     Eigen::Matrix3Xd from_middle = net.nodes().colwise() - middle;
     for (const int node : net.free_nodes()) {
         from_middle.col(node) = within_reach(from_middle.col(node), local.reach);
@@ -67,6 +69,10 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
         if (i < local.free_count) {
             local.loads.segment<3>(Eigen::Index{3} * i) = net.loads().col(node);
         }
+    }
+    for (const auto& [node, stiffness, place] : net.elastic_supports()) {
+        local.springs.push_back(
+            {.node = local_of[node], .stiffness = stiffness, .place = place - local.origin});
     }
     return local;
 }

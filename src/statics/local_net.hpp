@@ -10,6 +10,13 @@
 
 namespace taut {
 
+/// An elastic support: a force K (r - r_0) on a free node.
+struct Spring {
+    int node;                   ///< local index
+    Eigen::Matrix3d stiffness;  ///< K [N/m]
+    Eigen::Vector3d place;      ///< r_0, less the origin [m]
+};
+
 /// A net renumbered for the solvers: free nodes first, in the order in which their rows are
 /// eliminated, supports behind them.
 struct LocalNet {
@@ -20,6 +27,7 @@ struct LocalNet {
     std::vector<TensionLaw> laws;     ///< of the net
     std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; empty if all are
     Eigen::VectorXd loads;            ///< 3 free_count [N]
+    std::vector<Spring> springs;
     /// Subtracted from all coordinates. The middle of the supports if the net lies so far from zero
     /// (as in a national grid) that rounding errors of its coordinates would matter; else zero [m].
     Eigen::Vector3d origin;
@@ -30,6 +38,14 @@ struct LocalNet {
     double reach = 0.0;
     Eigen::Vector3d middle;  ///< of the supports, less origin [m]
     Points supports;         ///< 3 x n_B, the net's own coordinates of the supports [m]
+
+    /// Forces on the springs, added to those of the free nodes (3 free_count) [N].
+    /// @param form as nodes
+    void add_spring_forces(const Eigen::Matrix3Xd& form, Eigen::VectorXd& forces) const {
+        for (const auto& [node, stiffness, place] : springs) {
+            forces.segment<3>(Eigen::Index{3} * node) += stiffness * (form.col(node) - place);
+        }
+    }
 
     /// Null if the edge is linear.
     [[nodiscard]] const TensionLaw* law(size_t edge) const {

@@ -33,10 +33,14 @@ void NetState::set_unstressed_lengths(const LocalNet& net,
             }
         }
     }
+    for (const Spring& spring : net.springs) {
+        m_rounding(spring.node) += last_place * spring.stiffness.trace();
+    }
 }
 
 void NetState::update(const LocalNet& net) {
     m_forces = -net.loads;
+    net.add_spring_forces(m_form, m_forces);
     m_tension_sum = 0.0;
     m_slack_count = 0;
     for (size_t e = 0; e < m_edges.size(); ++e) {
@@ -115,6 +119,11 @@ double NetState::energy_above(const NetState& other, const LocalNet& net) const 
     }
     const Eigen::Index n = net.loads.size();
     difference -= net.loads.dot(m_form.reshaped().head(n) - other.m_form.reshaped().head(n));
+    for (const auto& [node, stiffness, place] : net.springs) {
+        const Eigen::Vector3d step = m_form.col(node) - other.m_form.col(node);
+        const Eigen::Vector3d middle = 0.5 * (m_form.col(node) + other.m_form.col(node)) - place;
+        difference += step.dot(stiffness * middle);
+    }
     return difference;
 }
 

@@ -60,6 +60,10 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
             m_blocks[m_block_of_edge[e]].values = -stiffness;
         }
     }
+    for (const Spring& spring : net.springs) {
+        m_axial_at_nodes(spring.node) += spring.stiffness.trace() / 3.0;
+        m_diagonal[spring.node] += spring.stiffness;
+    }
 }
 
 void StiffnessMatrix::add_shift(double shift) {

@@ -42,7 +42,8 @@ public:
     [[nodiscard]] std::span<const Block> blocks() const { return m_blocks; }
     /// Both triangles (3 n_I x 3 n_I) [N/m].
     [[nodiscard]] Eigen::SparseMatrix<double> to_sparse() const;
-    /// Sum of EA/l_0 of the edges at each free node, as last assembled [N/m].
+    /// Sum of EA/l_0 of the edges at each free node, and the mean stiffness of its spring, as last
+    /// assembled [N/m].
     [[nodiscard]] const Eigen::VectorXd& axial_at_nodes() const { return m_axial_at_nodes; }
 
 private:

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "net/all_supports.hpp"
 #include "support/finite_differences.hpp"
 #include "support/random_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -16,7 +17,8 @@ namespace {
 
 /// Rates of forms and forces against differences of exact equilibria.
 void expect_rates(const CableNet& net, const Eigen::VectorXd& lengths, double tolerance) {
-    StrokeResponse response(net, net.adjustable_edges(), {net.supports()[1], net.supports()[4]});
+    StrokeResponse response(net, net.adjustable_edges(),
+                            {net.supports()[1], all_supports(net).back()});
     const Eigen::VectorXd none =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
     const StrokedNet at = response.at(lengths, none, net.nodes());
@@ -46,6 +48,17 @@ TEST(StrokeResponse, HasTheRatesOfSolvedForms) {
         net,
         with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 1e-3)),
         2e-5);
+}
+
+TEST(StrokeResponse, HasTheRatesOfReactionsAtElasticSupports) {
+    CableNetData data = hypar(4, 5).data();
+    const int node = data.supports.back();
+    data.supports.pop_back();
+    data.elastic_supports = {{.node = node,
+                              .stiffness = Eigen::Vector3d(5e5, 1e6, 2e6).asDiagonal(),
+                              .place = data.nodes.col(node)}};
+    const CableNet net(data);
+    expect_rates(net, net.unstressed_lengths(), 2e-5);
 }
 
 TEST(StrokeResponse, HasTheRatesOfSlackEdgesToo) {

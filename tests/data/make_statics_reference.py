@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: MIT
 """Writes statics_reference.json: equilibrium forms of small nets found by SciPy, for tests/statics.
 
-    /usr/bin/python3 tests/data/make_statics_reference.py
+    build/venv/test/bin/python tests/data/make_statics_reference.py
 
-Made with Debian 12's python3-scipy 1.10.1. The energy is written down once more here, without a line
+Made with SciPy 1.17.1. The energy is written down once more here, without a line
 of taut. SciPy minimises it by a trust region method, then finds the root of the forces by Powell's
 hybrid method; the form counts when no force at a node exceeds 1e-12 of the largest tension.
 """
@@ -20,9 +20,10 @@ from scipy.optimize import minimize, root
 
 
 class Net:
-    """Nodes (n x 3), supports, edges (m x 2), EA and l_0 (m), loads (n x 3)."""
+    """Nodes (n x 3), supports, edges (m x 2), EA and l_0 (m), loads (n x 3); springs: a list of a
+    free node, its stiffness (3 x 3) and its place without load (3)."""
 
-    def __init__(self, name, nodes, supports, edges, axial_stiffness, lengths, loads):
+    def __init__(self, name, nodes, supports, edges, axial_stiffness, lengths, loads, springs=()):
         self.name = name
         self.nodes = np.array(nodes, float)
         self.supports = sorted(supports)
@@ -30,6 +31,7 @@ class Net:
         self.stiffness = np.array(axial_stiffness, float)
         self.lengths = np.array(lengths, float)
         self.loads = np.array(loads, float)
+        self.springs = [(node, np.array(k, float), np.array(at, float)) for node, k, at in springs]
         self.free = [i for i in range(len(nodes)) if i not in supports]
 
     def form(self, x):
@@ -48,7 +50,9 @@ class Net:
         _, lengths, _ = self.edges_at(x)
         stretch = np.maximum(0.0, lengths - self.lengths)
         work = np.sum(self.loads[self.free] * self.form(x)[self.free])
-        return np.sum(self.stiffness / (2.0 * self.lengths) * stretch**2) - work
+        shifts = [(self.form(x)[node] - place, k) for node, k, place in self.springs]
+        of_springs = sum(0.5 * shift @ k @ shift for shift, k in shifts)
+        return np.sum(self.stiffness / (2.0 * self.lengths) * stretch**2) + of_springs - work
 
     def forces(self, x):
         vectors, lengths, tensions = self.edges_at(x)
@@ -56,6 +60,8 @@ class Net:
         forces = -self.loads.copy()
         np.add.at(forces, self.edges[:, 0], pull)
         np.add.at(forces, self.edges[:, 1], -pull)
+        for node, k, place in self.springs:
+            forces[node] += k @ (self.form(x)[node] - place)
         return forces[self.free].ravel()
 
     def hessian(self, x):
@@ -70,6 +76,8 @@ class Net:
                 block = axial * along + tension / length * (np.eye(3) - along)
                 for i, j, sign in ((s, s, 1), (t, t, 1), (s, t, -1), (t, s, -1)):
                     hessian[i, :, j, :] += sign * block
+        for node, k, _ in self.springs:
+            hessian[node, :, node, :] += k
         size = 3 * len(self.free)
         return hessian[self.free][:, :, self.free].reshape(size, size)
 
@@ -96,6 +104,10 @@ class Net:
             "axial_stiffness": self.stiffness.tolist(),
             "unstressed_lengths": self.lengths.tolist(),
             "loads": self.loads.tolist(),
+            "springs": [
+                {"node": node, "stiffness": k.tolist(), "place": place.tolist()}
+                for node, k, place in self.springs
+            ],
             "form": self.form(x).tolist(),
             "tensions": tensions.tolist(),
             "slack_edges": slack.tolist(),
@@ -154,12 +166,25 @@ def tripod():
     return Net("tripod", nodes, [3, 4, 5], edges, stiffness, lengths.round(6), loads)
 
 
+def on_springs(random):
+    """The grid with five of its supports on springs that pull across their axes, too."""
+    net = grid(np.random.default_rng(1))
+    springs = []
+    for node in net.supports[::3] + net.supports[1:2]:
+        root = random.uniform(-1.0, 1.0, (3, 3))
+        stiffness = (10.0 ** random.uniform(4.0, 6.0) * (root @ root.T + np.eye(3))).round()
+        place = net.nodes[node] + random.uniform(-0.05, 0.05, 3).round(3)
+        springs.append((node, stiffness, place))
+    rigid = [node for node in net.supports if node not in [spring[0] for spring in springs]]
+    return Net("springs", net.nodes, rigid, net.edges, net.stiffness, net.lengths, net.loads, springs)
+
+
 def main():
-    nets = [grid(np.random.default_rng(1)), chain(), tripod()]
+    nets = [grid(np.random.default_rng(1)), chain(), tripod(), on_springs(np.random.default_rng(2))]
     reference = {
         "SPDX-FileCopyrightText": "2026 The taut authors",
         "SPDX-License-Identifier": "MIT",
-        "made_by": "/usr/bin/python3 tests/data/make_statics_reference.py",
+        "made_by": "build/venv/test/bin/python tests/data/make_statics_reference.py",
         "scipy": scipy.__version__,
         "nets": [net.solve() for net in nets],
     }

@@ -24,6 +24,8 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
+constexpr int common_count = 4;  // of parameters
+
 CableNet loaded_net() {
     CableNetData data = hypar(2, 3).data();
     const auto edges = static_cast<int>(data.edges.size());
@@ -32,6 +34,15 @@ CableNet loaded_net() {
     data.expansion.setConstant(edges, 1.2e-5);
     data.expansion(0) = 0.0;
     data.groups["half"] = {0, 2, 5, 7, edges - 1};
+    for (const int sign : {-1, 1}) {
+        const int node = data.supports.back();
+        data.supports.pop_back();
+        const Eigen::Vector3d along = Eigen::Vector3d(1.0, 0.5 * sign, 0.3).normalized();
+        data.elastic_supports.push_back(
+            {.node = node,
+             .stiffness = 2e5 * (Eigen::Matrix3d::Identity() + 3.0 * along * along.transpose()),
+             .place = data.nodes.col(node) + 1e-3 * sign * Eigen::Vector3d::Ones()});
+    }
     return CableNet(std::move(data));
 }
 
@@ -41,7 +52,7 @@ protected:
         Random random(3);
         m_iterate.form += uniform_points(random, m_net.node_count(), 2e-3);
         m_iterate.deviations = uniform_vector(random, m_iterate.deviations.size(), 1e-3);
-        m_iterate.common = uniform_vector(random, 3, 0.7);
+        m_iterate.common = uniform_vector(random, common_count, 0.7);
         for (const int node : m_net.free_nodes()) {
             m_iterate.loads.col(node) = uniform_points(random, 1, 15.0);
         }
@@ -58,12 +69,12 @@ protected:
             m_observed.load_variance.col(node).setConstant(400.0);
             m_observed.load_mean.col(node) = uniform_points(random, 1, 5.0);
         }
-        m_observed.common_mean = uniform_vector(random, 3, 0.2);
+        m_observed.common_mean = uniform_vector(random, common_count, 0.2);
         for (const int edge :
              {1, m_net.adjustable_edges().front()}) {  // the length of one is known
             m_observed.tension(edge) = 3e3;
             m_observed.tension_weights(edge) = 1.0 / (60.0 * 60.0);
-            m_observed.tension_bias.row(edge) << 0.0, 0.0, 150.0;
+            m_observed.tension_bias(edge, 2) = 150.0;
         }
         m_fit = linearised_fit(StaticsModel(m_net, m_uncertain), m_iterate, m_observed);
     }
@@ -76,12 +87,12 @@ protected:
         return x;
     }
     [[nodiscard]] Iterate apart(const Eigen::VectorXd& x) const {
-        Iterate it = nominal_iterate(m_net, 3);
+        Iterate it = nominal_iterate(m_net, common_count);
         it.form = x.head(m_places).reshaped(3, m_net.node_count());
         it.deviations = x.segment(m_places, m_lengths);
         it.loads(Eigen::all, m_net.free_nodes()) =
             x.segment(m_places + m_lengths, m_loads).reshaped(3, m_net.free_node_count());
-        it.common = x.tail(3);
+        it.common = x.tail(common_count);
         return it;
     }
 
@@ -108,6 +119,11 @@ protected:
         const Iterate it = apart(x);
         const Eigen::VectorXd tension = edge_tensions(x);
         Points forces = -(1.0 + 0.1 * it.common(2)) * m_net.loads() - it.loads;
+        const double factor = std::exp(0.1 * it.common(3));
+        for (const auto& [node, stiffness, place] : m_net.elastic_supports()) {
+            const Eigen::Vector3d error = it.loads.col(node);  // of the place, times K
+            forces.col(node) += factor * (stiffness * (it.form.col(node) - place) - error) + error;
+        }
         for (int e = 0; e < m_net.edge_count(); ++e) {
             const auto [s, t] = m_net.edges()[e];
             const Eigen::Vector3d u = (it.form.col(s) - it.form.col(t)).normalized();
@@ -119,15 +135,18 @@ protected:
 
     const CableNet m_net = loaded_net();
     const std::vector<UncertainParameter> m_uncertain{
-        parse_uncertain_parameter("supports:1mm"), parse_uncertain_parameter("stiffness:5%@half"),
-        parse_uncertain_parameter("temperature:15K"), parse_uncertain_parameter("loads:20N"),
-        parse_uncertain_parameter("loads:10%")};
+        parse_uncertain_parameter("supports:1mm"),
+        parse_uncertain_parameter("stiffness:5%@half"),
+        parse_uncertain_parameter("temperature:15K"),
+        parse_uncertain_parameter("loads:20N"),
+        parse_uncertain_parameter("loads:10%"),
+        parse_uncertain_parameter("support-stiffness:10%")};
     const Eigen::Index m_places = 3 * m_net.node_count();
     const Eigen::Index m_lengths = m_net.interior_edge_count();
     const Eigen::Index m_loads = 3 * m_net.free_node_count();
-    const Eigen::Index m_size = m_places + m_lengths + m_loads + 3;
-    Iterate m_iterate = nominal_iterate(m_net, 3);
-    Observations m_observed = nothing_observed(m_net, 0.002, 3);
+    const Eigen::Index m_size = m_places + m_lengths + m_loads + common_count;
+    Iterate m_iterate = nominal_iterate(m_net, common_count);
+    Observations m_observed = nothing_observed(m_net, 0.002, common_count);
     std::optional<LinearisedFit> m_fit;
 };
 
@@ -141,10 +160,10 @@ protected:
         m_tension_rates =
             finite_differences([this](const auto& at) { return edge_tensions(at); }, x, 1e-5);
         m_measured_rates = m_tension_rates;
-        m_measured_rates.rightCols<3>() += m_observed.tension_bias;
+        m_measured_rates.rightCols<common_count>() += m_observed.tension_bias;
         Eigen::VectorXd weights(m_size);
         weights << m_observed.weights.reshaped(), m_observed.variance.cwiseInverse(),
-            Eigen::VectorXd::Constant(m_loads, 1.0 / 400.0), Eigen::VectorXd::Ones(3);
+            Eigen::VectorXd::Constant(m_loads, 1.0 / 400.0), Eigen::VectorXd::Ones(common_count);
         Iterate means = m_iterate;
         means.form = m_observed.form;
         means.deviations = m_observed.mean;
@@ -211,7 +230,8 @@ TEST_F(Dense, TheCovariancesAreThoseOfTheWholeProblem) {
         expect_near(m_fit->covariance.loads[m_net.free_nodes()[k]],
                     m_covariance.block<3, 3>(loads + 3 * k, loads + 3 * k));
     }
-    expect_near(m_fit->covariance.common, m_covariance.bottomRightCorner<3, 3>());
+    expect_near(m_fit->covariance.common,
+                m_covariance.bottomRightCorner<common_count, common_count>());
 }
 
 TEST_F(Dense, TheVariancesOfTensionsAndTheirMeanAreThoseOfTheWholeProblem) {
@@ -247,7 +267,7 @@ TEST_F(Dense, TheDeterminantChangesAsThatOfTheWholeProblem) {
             finite_differences([this](const auto& at) { return imbalance(at); }, x, 1e-5);
         Eigen::MatrixXd measured =
             finite_differences([this](const auto& at) { return edge_tensions(at); }, x, 1e-5);
-        measured.rightCols<3>() += m_observed.tension_bias;
+        measured.rightCols<common_count>() += m_observed.tension_bias;
         const auto weights = m_observed.tension_weights.asDiagonal();
         const Eigen::Index count = m_size + 2 + rates.rows();
         Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(count, count);

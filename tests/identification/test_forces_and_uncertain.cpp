@@ -17,6 +17,7 @@
 #include "taut/identification/identify.hpp"
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/sampling/model_perturbation.hpp"
+#include "taut/statics/energy.hpp"
 
 namespace of_forces {
 
@@ -35,6 +36,25 @@ CableNet loaded_net() {
     const CableNet draft{CableNetData(data)};
     data.nodes = solve_equilibrium(draft).form;
     return CableNet(std::move(data));
+}
+
+/// A third of the supports give way by a millimetre or two under the net.
+CableNet on_springs(const CableNet& net) {
+    CableNetData data = net.data();
+    data.supports.clear();
+    for (size_t i = 0; i < net.supports().size(); ++i) {
+        const int node = net.supports()[i];
+        if (i % 3 != 0) {
+            data.supports.push_back(node);
+            continue;
+        }
+        const Eigen::Vector3d along = Eigen::Vector3d(1.0, 0.5, 0.2).normalized();
+        data.elastic_supports.push_back(
+            {.node = node,
+             .stiffness = 1e6 * (Eigen::Matrix3d::Identity() + 2.0 * along * along.transpose()),
+             .place = data.nodes.col(node)});
+    }
+    return with_supports_in_balance(CableNet(std::move(data)));
 }
 
 /// A built net that differs from the design in lengths and in uncertain parameters.
@@ -82,6 +102,8 @@ double truth_of(const ModelPerturbation& c, const CableNet& net,
             return c.loads;
         case UncertainParameter::Kind::loads_each:
             return c.own_loads(estimate.axis, estimate.node);
+        case UncertainParameter::Kind::support_stiffness:
+            return c.support_stiffness;
         case UncertainParameter::Kind::forces:
         case UncertainParameter::Kind::mass:
         case UncertainParameter::Kind::test_loads:
@@ -112,8 +134,9 @@ struct Count {
 };
 
 TEST_P(UncertainParameters, AreInTheIntervalsOfLengthsAndTensions) {
-    const CableNet net = loaded_net();
     const std::vector<UncertainParameter> uncertain = given();
+    const bool is_elastic = std_of(uncertain, UncertainParameter::Kind::support_stiffness) > 0.0;
+    const CableNet net = is_elastic ? on_springs(loaded_net()) : loaded_net();
     Count lengths;
     Count tensions;
     std::map<UncertainParameter::Kind, Count> of_parameters;
@@ -155,6 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Map, UncertainParameters,
                                          std::vector{"stiffness-each:3%"},
                                          std::vector{"adjustable:0.5mm"}, std::vector{"loads:20N"},
                                          std::vector{"stiffness:5%", "loads:10%"},
+                                         std::vector{"supports:1mm", "support-stiffness:10%"},
                                          std::vector{"stiffness:5%", "supports:1mm",
                                                      "temperature:15K", "adjustable:0.5mm",
                                                      "loads:20N"}));

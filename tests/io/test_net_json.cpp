@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/examples.hpp"
+#include "taut/statics/imbalance.hpp"
 
 namespace taut {
 namespace {
@@ -48,6 +49,12 @@ void expect_same(const CableNetData& a, const CableNetData& b) {
     EXPECT_TRUE(same_bits(a.expansion, b.expansion));
     EXPECT_TRUE(same_bits(a.breaking_load, b.breaking_load));
     EXPECT_EQ(a.thread, b.thread);
+    ASSERT_EQ(a.elastic_supports.size(), b.elastic_supports.size());
+    for (size_t k = 0; k < a.elastic_supports.size(); ++k) {
+        EXPECT_EQ(a.elastic_supports[k].node, b.elastic_supports[k].node);
+        EXPECT_EQ(a.elastic_supports[k].stiffness, b.elastic_supports[k].stiffness);
+        EXPECT_EQ(a.elastic_supports[k].place, b.elastic_supports[k].place);
+    }
     ASSERT_EQ(a.runs.size(), b.runs.size());
     for (size_t k = 0; k < a.runs.size(); ++k) {
         EXPECT_EQ(a.runs[k].name, b.runs[k].name);
@@ -95,6 +102,43 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     bare.thread.clear();
     bare.runs.clear();
     EXPECT_EQ(net.fingerprint(), CableNet(bare).fingerprint());
+}
+
+TEST(NetJson, ReadsBackElasticSupports) {
+    CableNetData data = hypar(2, 2).data();
+    const int stiff = data.supports[1];
+    const int skew = data.supports[4];
+    std::erase(data.supports, stiff);
+    std::erase(data.supports, skew);
+    Eigen::Matrix3d stiffness = Eigen::Vector3d(1e6 / 3.0, 2e6, 3e6).asDiagonal();
+    data.elastic_supports = {{.node = skew, .stiffness = stiffness, .place = {0.1, 0.2, 1.0 / 3.0}},
+                             {.node = stiff, .stiffness = stiffness, .place = {1.0, 2.0, 3.0}}};
+    data.elastic_supports[0].stiffness(0, 1) = data.elastic_supports[0].stiffness(1, 0) = 1e4;
+    const CableNet net(data);
+    const CableNet back = parse_net(net_to_json(net), "net.json").net;
+    expect_same(back.data(), net.data());
+    EXPECT_EQ(back.fingerprint(), net.fingerprint());
+    data.elastic_supports[1].stiffness *= 2.0;
+    EXPECT_NE(CableNet(data).fingerprint(), net.fingerprint());
+}
+
+TEST(NetJson, TakesPlacesOfElasticSupportsFromTheNodesOrFromTheBalance) {
+    auto json = nlohmann::json::parse(net_to_json(hypar(2, 2)));
+    const CableNet rigid = parse_net(json.dump(), "net.json").net;
+    json["support_stiffness"] = std::vector<nlohmann::json>(rigid.supports().size());
+    json["support_stiffness"][2] = 5e5;
+    json["support_stiffness"][3] = {1e6, 2e6, 3e6};
+    const CableNet net = parse_net(json.dump(), "net.json").net;
+    ASSERT_EQ(net.elastic_supports().size(), 2U);
+    EXPECT_EQ(net.adjustable_edges(), rigid.adjustable_edges());
+    for (const ElasticSupport& support : net.elastic_supports()) {
+        EXPECT_EQ(support.place, net.nodes().col(support.node));
+    }
+    EXPECT_EQ(net.elastic_supports()[0].stiffness, 5e5 * Eigen::Matrix3d::Identity());
+    json["support_place"] = "balanced";
+    const CableNet balanced = parse_net(json.dump(), "net.json").net;
+    EXPECT_LT(imbalance(balanced, balanced.unstressed_lengths(), balanced.nodes()).share(), 1e-9);
+    EXPECT_GT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 0.5);
 }
 
 TEST(NetJson, KeepsSupportsAndAdjustableEdgesThatAreNotTheDefault) {

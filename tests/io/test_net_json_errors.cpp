@@ -104,6 +104,21 @@ INSTANTIATE_TEST_SUITE_P(
                  ":/mass/1: is -1, expected a finite number of at least 0"},
         BadValue{"ExpansionOfTooManyEdges", "/expansion", "[1e-5, 1e-5, 1e-5]",
                  ":/expansion: has 3 entries, expected 2, one for each edge"},
+        BadValue{"StiffnessOfTooFewSupports", "/support_stiffness", "[1e6]",
+                 ":/support_stiffness: has 1 entries, expected one number or an array with an "
+                 "entry for each support"},
+        BadValue{"StiffnessOfTwoNumbers", "/support_stiffness", "[null, [1e6, 1e6]]",
+                 ":/support_stiffness/1: has 2 entries, expected null, a number, three numbers "
+                 "[x, y, z] or a matrix of 3 x 3 [N/m]"},
+        BadValue{"StiffnessOfNoDirection", "/support_stiffness", "[null, [1e6, 0, 1e6]]",
+                 ":/support_stiffness/1: is not symmetric and positive definite, expected a "
+                 "stiffness in every direction"},
+        BadValue{"StiffnessThatIsSkew", "/support_stiffness",
+                 "[null, [[1e6, 5e5, 0], [0, 1e6, 0], [0, 0, 1e6]]]",
+                 ":/support_stiffness/1: is not symmetric and positive definite, expected a "
+                 "stiffness in every direction"},
+        BadValue{"PlaceWithoutStiffness", "/support_place", "[null, [0, 0, 0]]",
+                 ":/support_place: is given without \"support_stiffness\""},
         BadValue{"ThreadOfTooManyEdges", "/thread", R"(["right", "left", "left"])",
                  ":/thread: has 3 entries, expected 1, one for each adjustable edge"},
         BadValue{"ThreadNeitherRightNorLeft", "/thread", R"(["up"])",

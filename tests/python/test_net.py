@@ -38,6 +38,49 @@ def test_a_net_is_made_of_arrays_and_gives_them_back():
     )
 
 
+def on_springs():
+    """The cross with a support that gives way along its cable, and one that does everywhere."""
+    data = arrays()
+    data["unstressed_lengths"] = np.full(4, 0.97)
+    return taut.CableNet(
+        **data,
+        support_stiffness={1: [1e5, 3e5, 2e5], 3: 4e5},
+        support_place={1: [1.02, 0.0, 0.0]},
+    )
+
+
+def test_elastic_supports_are_free_nodes_that_give_way():
+    net = on_springs()
+    assert net.supports.tolist() == [2, 4]
+    assert net.free_nodes.tolist() == [0, 1, 3]
+    stiffness, place = net.elastic_supports[1]
+    assert np.array_equal(stiffness, np.diag([1e5, 3e5, 2e5]))
+    assert place.tolist() == [1.02, 0.0, 0.0]
+    assert net.elastic_supports[3][1].tolist() == [0.0, 1.0, 0.0]
+    assert pickle.loads(pickle.dumps(net)) == net
+    form = taut.EquilibriumSolver(net).solve(net.unstressed_lengths).form
+    tension = 100e3 * ((form[1, 0] - form[0, 0]) / 0.97 - 1.0)
+    assert 1e5 * (1.02 - form[1, 0]) == pytest.approx(tension, rel=1e-9)
+    balanced = taut.CableNet(**arrays(), support_stiffness={1: 1e5}, support_place="balanced")
+    form = taut.EquilibriumSolver(balanced).solve(balanced.unstressed_lengths).form
+    assert np.allclose(form, balanced.nodes, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"support_stiffness": {9: 1e5}}, r"support_stiffness\[9\]: expected one of the 5 nodes"),
+        ({"support_stiffness": {1: [1e5, 1e5]}}, r"support_stiffness\[1\]"),
+        ({"support_stiffness": {1: -1e5}}, "symmetric and positive definite"),
+        ({"support_place": {1: [1.0, 0.0, 0.0]}}, "is no node of support_stiffness"),
+        ({"support_stiffness": {1: 1e5}, "support_place": "balance"}, "expected 'balanced'"),
+    ],
+)
+def test_an_elastic_support_that_is_none_is_refused(wrong, message):
+    with pytest.raises(ValueError, match=message):
+        taut.CableNet(**arrays(), **wrong)
+
+
 def test_a_net_goes_through_json_pickle_and_copy_to_the_last_bit(net, tmp_path):
     assert taut.CableNet.from_json(net.to_json()) == net
     assert pickle.loads(pickle.dumps(net)) == net

@@ -50,6 +50,12 @@ inline CableNet net_of(const Json& json) {
     data.axial_stiffness = vector_of(json.at("axial_stiffness"));
     data.unstressed_lengths = vector_of(json.at("unstressed_lengths"));
     data.loads = points_of(json.at("loads"));
+    for (const Json& spring : json.value("springs", Json::array())) {
+        const Points stiffness = points_of(spring.at("stiffness"));
+        data.elastic_supports.push_back({.node = spring.at("node").get<int>(),
+                                         .stiffness = stiffness,
+                                         .place = vector_of(spring.at("place"))});
+    }
     return CableNet(std::move(data));
 }
 

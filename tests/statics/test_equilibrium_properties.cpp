@@ -65,8 +65,8 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheStart, ()) {
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) {
     test::Random random = test::any_random();
-    const CableNetData data = test::random_net_data(random);
-    const CableNet net(data);
+    const CableNet net = test::random_net(random);
+    const CableNetData data = net.data();
     const Eigen::Vector3d shift = test::uniform_points(random, 1, 10.0);
     const Eigen::Matrix3d turn =
         Eigen::Quaterniond(Eigen::Vector4d(test::uniform_vector(random, 4, 1.0)))
@@ -78,6 +78,11 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) 
     CableNetData moved_data = data;
     moved_data.nodes = moved(data.nodes);
     moved_data.loads = turn * data.loads;
+    for (ElasticSupport& support : moved_data.elastic_supports) {
+        const Eigen::Matrix3d stiffness = turn * support.stiffness * turn.transpose();
+        support.stiffness = 0.5 * (stiffness + stiffness.transpose());
+        support.place = moved(support.place);
+    }
     const CableNet moved_net(std::move(moved_data));
 
     const Equilibrium e = solve_equilibrium(net);

@@ -34,7 +34,8 @@ TEST_P(ReferenceNet, HasTheFormThatScipyFinds) {
     EXPECT_NEAR(energy(net, net.unstressed_lengths(), e.form), lowest, 1e-12 * std::abs(lowest));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scipy, ReferenceNet, ::testing::Values("grid", "chain", "tripod"),
+INSTANTIATE_TEST_SUITE_P(Scipy, ReferenceNet,
+                         ::testing::Values("grid", "chain", "tripod", "springs"),
                          [](const auto& param) { return std::string(param.param); });
 
 }  // namespace

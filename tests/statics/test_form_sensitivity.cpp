@@ -92,6 +92,12 @@ TEST(FormSensitivity, TheGradientByTheNetIsThatOfSolvedForms) {
                           .tension = Eigen::VectorXd{{0.0, 0.5 * stiffness}}}};
     data.tension_law.assign(data.edges.size(), -1);
     data.tension_law[2] = 0;
+    const int elastic = data.supports.back();
+    data.supports.pop_back();
+    data.elastic_supports = {{.node = elastic,
+                              .stiffness = Eigen::Vector3d(1e5, 2e5, 3e5).asDiagonal(),
+                              .place = data.nodes.col(elastic)}};
+    data.elastic_supports[0].stiffness(0, 2) = data.elastic_supports[0].stiffness(2, 0) = 5e4;
     const CableNet net(data);
     const Points weights = test::uniform_points(random, net.node_count(), 1.0);
     const auto value = [&](const CableNetData& changed) -> Eigen::VectorXd {
@@ -120,7 +126,10 @@ TEST(FormSensitivity, TheGradientByTheNetIsThatOfSolvedForms) {
     EXPECT_TRUE(close(gradient.unstressed_lengths, slope(lengths, 1e-5)));
     EXPECT_TRUE(close(gradient.axial_stiffness, slope(stiffnesses, 1e-4 * stiffness)));
     EXPECT_TRUE(close(gradient.loads, slope(loads, 0.1)));
-    EXPECT_TRUE(close(gradient.nodes, slope(nodes, 1e-5)));
+    const auto place = [](CableNetData& of) { return of.elastic_supports[0].place.reshaped(); };
+    Points of_places = slope(nodes, 1e-5).reshaped(3, net.node_count());
+    of_places.col(elastic) = slope(place, 1e-5);
+    EXPECT_TRUE(close(gradient.nodes, of_places.reshaped()));
 }
 
 RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()) {

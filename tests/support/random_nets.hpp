@@ -52,9 +52,32 @@ struct RandomNetSettings {
     double largest_load = 300.0;  ///< at a free node; half of the nets are without loads [N]
 };
 
+/// Makes half of the supports with edges elastic, with stiffnesses from 10 kN/m to 1 MN/m in
+/// directions of their own, unloaded within 0.1 m of their nodes.
+inline void put_on_springs(Random& random, CableNetData& data) {
+    std::vector<int> rigid;
+    for (const int node : data.supports) {
+        const bool has_edge = std::ranges::any_of(data.edges, [node](const Edge& edge) {
+            return std::ranges::find(edge, node) != edge.end();
+        });
+        if (!has_edge || uniform_int(random, 0, 1) == 0) {
+            rigid.push_back(node);
+            continue;
+        }
+        const Eigen::Matrix3d root = uniform_points(random, 3, 1.0);
+        const Eigen::Matrix3d stiffness = std::pow(10.0, uniform(random, 4.0, 6.0)) *
+                                          (root * root.transpose() + Eigen::Matrix3d::Identity());
+        data.elastic_supports.push_back(
+            {.node = node,
+             .stiffness = 0.5 * (stiffness + stiffness.transpose()),
+             .place = data.nodes.col(node) + uniform_points(random, 1, 0.1)});
+    }
+    data.supports = rigid;
+}
+
 /// A net of any topology, in a ball of some 3 m: every free node joined to an earlier one or to a
-/// support, and some further edges. Axial stiffnesses from 10 kN to 1 MN. Its coordinates are not
-/// in equilibrium; some nodes may hang on a single edge.
+/// support, and some further edges. Axial stiffnesses from 10
+/// kN to 1 MN. Its coordinates are not in equilibrium; some nodes may hang on a single edge.
 inline CableNetData random_net_data(Random& random, const RandomNetSettings& settings = {}) {
     const int free_count = uniform_int(random, 1, settings.most_free_nodes);
     const int support_count = uniform_int(random, 3, 8);
@@ -97,8 +120,13 @@ inline CableNetData random_net_data(Random& random, const RandomNetSettings& set
     return data;
 }
 
+/// The same; in half of them some supports are elastic.
 inline CableNet random_net(Random& random, const RandomNetSettings& settings = {}) {
-    return CableNet(random_net_data(random, settings));
+    CableNetData data = random_net_data(random, settings);
+    if (uniform_int(random, 0, 1) == 1) {
+        put_on_springs(random, data);
+    }
+    return CableNet(std::move(data));
 }
 
 /// The net with its nodes in a random order.
@@ -117,6 +145,9 @@ inline CableNetData renumbered(Random& random, CableNetData data, std::vector<in
     }
     for (int& support : data.supports) {
         support = to[support];
+    }
+    for (ElasticSupport& support : data.elastic_supports) {
+        support.node = to[support.node];
     }
     for (auto& [s, t] : data.edges) {
         s = to[s];

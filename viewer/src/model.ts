@@ -44,6 +44,8 @@ export interface Model {
   edgeCount: number;
   ends: Uint32Array;
   isSupport: Uint8Array;
+  /** Supports on the rigid frame: their places are given. Elastic ones move. */
+  isFixed: Uint8Array;
   isAdjustable: Uint8Array;
   /** Edges in the order of the charts. */
   charted: number[];
@@ -78,9 +80,9 @@ export function difference(to: [number, number, number][], from: [number, number
 }
 
 /** Lengths of vectors in millimetres, at the nodes that are free. */
-export function distances(vectors: Float32Array, isSupport: Uint8Array): Float64Array {
-  return Float64Array.from(isSupport, (support, i) =>
-    support ? NaN : 1e3 * Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
+export function distances(vectors: Float32Array, isFixed: Uint8Array): Float64Array {
+  return Float64Array.from(isFixed, (fixed, i) =>
+    fixed ? NaN : 1e3 * Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
   );
 }
 
@@ -104,6 +106,7 @@ export function netOf(net: NetFile, form: [number, number, number][]): Model {
     edgeCount: net.edges.length,
     ends: Uint32Array.from(net.edges.flat()),
     isSupport: marks(net.nodes.length, net.supports),
+    isFixed: marks(net.nodes.length, net.supports.filter((_, i) => (net.support_stiffness?.[i] ?? null) === null)),
     isAdjustable,
     charted: net.edges.map((_, e) => e).filter((e) => !isAdjustable[e]),
     form: flat(form),
@@ -177,7 +180,7 @@ export function modelOfStudy(study: Study): Model {
   const { sample, errors } = study;
   const edge = (key: string, label: string, head: string, kind: "sequential" | "diverging", values: number[], scale?: string): Quantity =>
     quantity({ key, label, head, unit: "mm", of: "edge", kind, decimals: 4, values: spread(model.edgeCount, model.charted, values), ...(scale ? { scale } : {}) });
-  const free = net.nodes.map((_, i) => i).filter((i) => !model.isSupport[i]);
+  const free = net.nodes.map((_, i) => i).filter((i) => !model.isFixed[i]);
   const node = (key: string, label: string, values: number[]): Quantity =>
     quantity({ key, label, unit: "mm", of: "node", kind: "sequential", decimals: 4, values: spread(model.nodeCount, free, values) });
   model.quantities.push(
@@ -246,7 +249,7 @@ export function modelOfIdentification(result: Identification): Model {
     quantity({ key: "std", label: "standard deviation of the identified length", head: "std", unit: "mm", of: "edge", kind: "sequential", decimals: 3, values: of("std") }),
     ...drawnQuantities(result, model),
     ...(result.tension ? tensionAndStrain(net, result.tension, ", predicted", "") : []),
-    quantity({ key: "form_predicted", label: "form deviation, predicted − nominal", unit: "mm", of: "node", kind: "sequential", decimals: 3, values: distances(fromNominal, model.isSupport) }),
+    quantity({ key: "form_predicted", label: "form deviation, predicted − nominal", unit: "mm", of: "node", kind: "sequential", decimals: 3, values: distances(fromNominal, model.isFixed) }),
   );
   model.displacements = [{ label: "predicted form, from nominal", base: flat(net.nodes), vectors: fromNominal, certain: "end" }];
 

@@ -51,9 +51,9 @@ function reactions(plan: Plan, model: Model, form: Plan["planned_form"], tension
 }
 
 /** Along the target's normal, at the free nodes that have one, in millimetres. */
-function alongNormal(plan: Plan, vectors: Float32Array, isSupport: Uint8Array): number[] {
+function alongNormal(plan: Plan, vectors: Float32Array, isFixed: Uint8Array): number[] {
   return plan.target_normals.map((n, i) =>
-    isSupport[i] || n.every((x) => x === 0) ? NaN : 1e3 * n.reduce((sum, x, k) => sum + x * vectors[3 * i + k]!, 0));
+    isFixed[i] || n.every((x) => x === 0) ? NaN : 1e3 * n.reduce((sum, x, k) => sum + x * vectors[3 * i + k]!, 0));
 }
 
 export function modelOfPlan(plan: Plan): Model {
@@ -73,10 +73,10 @@ export function modelOfPlan(plan: Plan): Model {
   }
   model.quantities.push(
     ...tensions(plan),
-    node("normal_built", "normal deviation from the target, as built", "normal, built", "diverging", "normal", alongNormal(plan, built, model.isSupport)),
-    node("normal_planned", "normal deviation from the target, as planned", "normal, planned", "diverging", "normal", alongNormal(plan, planned, model.isSupport)),
-    node("distance_built", "3D deviation from the target, as built", "3D, built", "sequential", "distance", distances(built, model.isSupport)),
-    node("distance_planned", "3D deviation from the target, as planned", "3D, planned", "sequential", "distance", distances(planned, model.isSupport)),
+    node("normal_built", "normal deviation from the target, as built", "normal, built", "diverging", "normal", alongNormal(plan, built, model.isFixed)),
+    node("normal_planned", "normal deviation from the target, as planned", "normal, planned", "diverging", "normal", alongNormal(plan, planned, model.isFixed)),
+    node("distance_built", "3D deviation from the target, as built", "3D, built", "sequential", "distance", distances(built, model.isFixed)),
+    node("distance_planned", "3D deviation from the target, as planned", "3D, planned", "sequential", "distance", distances(planned, model.isFixed)),
   );
   const reaction = (key: string, label: string, head: string, values: number[]): Quantity =>
     quantity({ key, label, head, unit: "kN", of: "node", kind: "sequential", decimals: 3, scale: "reaction", values });
@@ -84,7 +84,7 @@ export function modelOfPlan(plan: Plan): Model {
     reaction("reaction_built", "reaction: force of the cables on the support, as built", "reaction, built", reactions(plan, model, plan.built_form, (t) => t.as_built)),
     reaction("reaction_planned", "reaction: force of the cables on the support, as planned", "reaction, planned", reactions(plan, model, plan.planned_form, (t) => t.planned)));
   if (plan.draws > 0) {
-    const std = plan.planned_form_std.map((s, i) => (model.isSupport[i] ? NaN : 1e3 * Math.max(...s)));
+    const std = plan.planned_form_std.map((s, i) => (model.isFixed[i] ? NaN : 1e3 * Math.max(...s)));
     model.quantities.push(quantity({ key: "std", label: "standard deviation of the planned position, worst axis", head: "std", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: std }));
   }
   addCovariances(model, plan.planned_form_covariance);

@@ -89,7 +89,7 @@ function errorFigure(study: Study, model: Model): Figure {
 /** Nominal and identified form error of the first validation sample in plan, on one scale (the paper's figure deviations). */
 function formErrorFigure(study: Study, model: Model, side: Side): Figure {
   const { nominal, identified } = study.sample.form_error;
-  const nodes = Array.from(model.isSupport, (support, i) => (support ? -1 : i)).filter((i) => i >= 0);
+  const nodes = Array.from(model.isFixed, (fixed, i) => (fixed ? -1 : i)).filter((i) => i >= 0);
   const largest = 1e3 * Math.max(largestOf(nominal), largestOf(identified));
   const chart = (which: string, errors: number[]) => nodeMap({
     name: `form_error_${which}`, title: `The ${which} form error at the free nodes, in plan`, heading: `${which} form error [mm]`,

@@ -29,8 +29,12 @@ struct NetFile {
 ///      "mass": [kg/m...] or one number, "expansion": [1/K...] or one number,
 ///      "breaking_load": [N...] or one number,
 ///      "bending_stiffness": [N m2...] or one number, "thread": ["right" or "left", one an entry of
-///      "adjustable"]}
+///      "adjustable"], "support_stiffness": [null, one number, [x, y, z] or a matrix of 3 x 3
+///      [N/m], one a support] or one number, "support_place": [null or [x, y, z] [m], one a
+///      support] or "balanced"}
 ///
+/// A support with a stiffness is elastic, ElasticSupport. Its place without load is by default that
+/// of its node; "balanced" places are those of with_supports_in_balance().
 /// Optional are name (default: the file's, without its ending), adjustable (default: the edges at a
 /// support), loads, node_ids, edge_ids and all behind them. An edge with a tension law
 /// makes no use of its axial_stiffness. Other keys are kept. An index is written without fraction

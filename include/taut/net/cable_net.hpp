@@ -55,6 +55,13 @@ struct CableRun {
     std::vector<int> edges;  ///< none in another run
 };
 
+/// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).
+struct ElasticSupport {
+    int node = -1;
+    Eigen::Matrix3d stiffness;  ///< K, symmetric and positive definite [N/m]
+    Eigen::Vector3d place;      ///< r_0, where it stands without load [m]
+};
+
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
     std::string name;                    ///< for people and files; may be empty
@@ -78,6 +85,7 @@ struct CableNetData {
     Eigen::VectorXd bending_stiffness;  ///< m, EI, for frequencies only; or none [N m2]
     std::vector<Thread> thread;         ///< one for each entry of `adjustable`; or none
     std::vector<CableRun> runs;         ///< or none: cable_runs() finds them
+    std::vector<ElasticSupport> elastic_supports;  ///< none of them in `supports`; or none
 };
 
 /// The edges with a support at one end at least: CableNetData::adjustable of most nets.
@@ -102,7 +110,8 @@ public:
     ///   group without name or edges; a mass or bending stiffness that is negative, an expansion
     ///   that is not finite, a breaking load that is not positive and finite, a number of threads
     ///   other than that of the adjustable edges, a run without edges or with one that another run
-    ///   has.
+    ///   has, an elastic support that is no free node or whose stiffness is not symmetric and
+    ///   positive definite.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;
@@ -154,6 +163,10 @@ public:
     [[nodiscard]] const std::vector<int>& free_nodes() const { return m_free_nodes; }
     /// Nodes on the rigid frame, in the order of the data.
     [[nodiscard]] const std::vector<int>& supports() const { return m_data.supports; }
+    /// Free nodes on springs, in the order of the data.
+    [[nodiscard]] const std::vector<ElasticSupport>& elastic_supports() const {
+        return m_data.elastic_supports;
+    }
     /// Position of a node in free_nodes(), or -1 for a support.
     /// @param node 0 to node_count() - 1
     /// @throws std::out_of_range for another
@@ -195,8 +208,8 @@ public:
     [[nodiscard]] int find_edge(std::string_view id) const;
 
     /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges,
-    /// loads, tension laws and masses. Nets with the same fingerprint have the same statics,
-    /// whatever their names.
+    /// loads, tension laws, masses and elastic supports. Nets with the same fingerprint have the
+    /// same statics, whatever their names.
     [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
 
 private:

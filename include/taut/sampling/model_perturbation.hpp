@@ -15,12 +15,14 @@ namespace taut {
 /// One sample of the uncertain parameters of a net: all that may differ from the design besides the
 /// lengths of its interior edges.
 struct ModelPerturbation {
-    Eigen::VectorXd stiffness;   ///< m, natural logarithm of the factor of EA or of the tension law
-    Eigen::VectorXd thermal;     ///< m, thermal strain of the unstressed lengths
-    Points supports;             ///< 3 x n, displacements of supports; 0 for free nodes [m]
-    Eigen::VectorXd adjustable;  ///< m, changes of unstressed lengths; 0 for interior edges [m]
-    double loads = 0.0;          ///< relative change of all loads
-    Points own_loads;            ///< 3 x n, change of the load of each node [N]
+    Eigen::VectorXd stiffness;  ///< m, natural logarithm of the factor of EA or of the tension law
+    Eigen::VectorXd thermal;    ///< m, thermal strain of the unstressed lengths
+    /// 3 x n, displacements of supports, of elastic ones without load; 0 for other nodes [m]
+    Points supports;
+    Eigen::VectorXd adjustable;      ///< m, changes of unstressed lengths; 0 for interior edges [m]
+    double loads = 0.0;              ///< relative change of all loads
+    Points own_loads;                ///< 3 x n, change of the load of each node [N]
+    double support_stiffness = 0.0;  ///< logarithm of the factor of all elastic supports
 };
 
 /// No perturbation: all as designed.

@@ -19,7 +19,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
         stiffness,       ///< logarithm of one factor of EA, or of the tension law, common to edges
         stiffness_each,  ///< one such factor per edge
         temperature,     ///< one deviation from the design temperature, common to edges [K]
-        supports,        ///< each coordinate of each support [m]
+        supports,        ///< each coordinate of each support, of elastic ones without load [m]
         adjustable,      ///< the unstressed length of each adjustable edge [m]
         loads,           ///< one relative deviation of all loads
         loads_each,      ///< each coordinate of the load on each free node [N]
@@ -27,13 +27,14 @@ struct TAUT_CORE_EXPORT UncertainParameter {
         mass,            ///< one relative error of the mass of all edges: of their self-weight, and
                          ///< of tensions found from frequencies and sags
         test_loads,      ///< one relative error of the known loads of a survey, Epoch::loads
+        support_stiffness,  ///< logarithm of one factor of the stiffness of all elastic supports
     };
     Kind kind = Kind::stiffness;  ///< what the numbers are
     double std = 0.0;             ///< standard deviation, in the unit of the kind
     std::string group;            ///< of edges, of the net; empty: all
 
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads", "forces",
-    /// "mass", "test-loads".
+    /// "mass", "test-loads", "support-stiffness".
     [[nodiscard]] std::string_view name() const;
     /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
     [[nodiscard]] std::string to_string() const;
@@ -48,7 +49,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 
 /// "stiffness:5%", "stiffness:5%@GROUP", "stiffness-each:3%", "temperature:10K", "supports:1mm",
 /// "adjustable:0.5mm", "loads:20N", "loads:10%", "forces:1%", "mass:3%",
-/// "test-loads:1%".
+/// "test-loads:1%", "support-stiffness:10%".
 /// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
 ///   a relative one of 30 % or more, and a group where the kind has none
 [[nodiscard]] TAUT_CORE_EXPORT UncertainParameter parse_uncertain_parameter(std::string_view text);
@@ -57,7 +58,8 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 /// @throws std::invalid_argument for two of one name and group (of loads: of one kind), a group
 ///   that the net does not have, a temperature where no edge of it expands, adjustable lengths
 ///   where the net has none, or wider than a third of the shortest, supports wider than a third of
-///   the shortest edge, common loads where there are none, a mass where no edge has any
+///   the shortest edge, common loads where there are none, a mass where no edge has any, a
+///   stiffness of supports where none is elastic
 TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
                                                  const std::vector<UncertainParameter>& uncertain);
 
@@ -70,9 +72,9 @@ struct KnownForces {
 
 /// Adds the default assumptions for a site: stiffness 5 % in common and 2 % of each edge; 5 K where
 /// edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm. Lengths and places at
-/// most a tenth of the shortest edge concerned. Of forces, where measured: 1 % in common of load
-/// cells; where tensions follow from frequencies or sags, 3 % of the mass; of known
-/// loads that hung on the net at one survey, 2 %.
+/// most a tenth of the shortest edge concerned. Stiffness of elastic supports 10 %. Of forces,
+/// where measured: 1 % in common of load cells; where tensions follow from frequencies or sags, 3 %
+/// of the mass; of known loads that hung on the net at one survey, 2 %.
 /// @param given takes precedence: nothing is assumed of a parameter with a name in it
 /// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(

@@ -26,6 +26,9 @@
 /// of the part, bounded by its width. T_0, the tension at the start of a part, times its extension
 /// is added to the objective. The sum over the parts replaces w / sqrt(EA/l_0).
 ///
+/// The energy of an elastic support, 1/2 (r_b - r_0)' K (r_b - r_0), is added to the objective of
+/// either form.
+///
 /// The optimum of both is the equilibrium, and the optimal value its energy V: there v = w'w, and
 /// slack edges have w = 0. EquilibriumSolver finds the same faster. This solver shares no code with
 /// it and needs no start, so it serves as a check.

@@ -19,9 +19,10 @@
 ///
 ///     D(f) = sum_b R_b . r_b  -  sum_(s,t) ( T l_0 + T^2 l_0 / (2 EA) )
 ///
-/// is a lower bound of V at any form. The two are equal at equilibrium only. So V(r) - D(f) bounds
-/// how far V(r) is above the lowest energy: a proof that does not rely on any solver. (Textbooks
-/// call -D the complementary energy.)
+/// is a lower bound of V at any form. At an elastic support b, which is a free node, a force g of
+/// its spring takes part in the balance, g on the left, and D gains -g . r_0 - g' K^-1 g / 2. The
+/// two are equal at equilibrium only. So V(r) - D(f) bounds how far V(r) is above the lowest
+/// energy: a proof that does not rely on any solver. (Textbooks call -D the complementary energy.)
 namespace taut {
 
 /// Upper bound on how far the energy of a form is above the lowest energy.

@@ -15,6 +15,10 @@
 ///
 ///     V(r) = sum_(s,t) EA / (2 l_0) max(0, l - l_0)^2  -  sum_s p_s . r_s
 ///
+/// and of each elastic support b, with its stiffness K and its place r_0 without load,
+///
+///     + 1/2 (r_b - r_0)' K (r_b - r_0)
+///
 /// V is convex in r, and once continuously differentiable.
 namespace taut {
 
@@ -26,10 +30,21 @@ namespace taut {
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 
+/// Forces of a form (3 x n) on the springs of the elastic supports, K (r_b - r_0); 0 at other nodes
+/// (3 x n) [N].
+[[nodiscard]] TAUT_CORE_EXPORT Points elastic_forces(const CableNet& net,
+                                                     const Eigen::Ref<const Points>& form);
+
+/// The net with the places of its elastic supports such that these are in balance at its nodes and
+/// lengths: r_0 = r_b + K^-1 h, with h the force by edges and loads. For a frame that was built so
+/// that the net stands in its nominal form.
+[[nodiscard]] TAUT_CORE_EXPORT CableNet with_supports_in_balance(const CableNet& net);
+
 /// dV/dr_I (3 n_I) [N]: the force balances h_s of the paper (eqs. hq, h) less the loads,
 ///
 ///     h_s = sum_(s,t) EA (r_s - r_t) (1/l_0 - 1/l) - p_s   over the edges with l > l_0
 ///
+/// and K (r_b - r_0) more at an elastic support.
 /// @throws std::invalid_argument as energy()
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd out_of_balance_forces(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
@@ -40,7 +55,8 @@ namespace taut {
 ///
 ///     k = EA/l_0 u u' + T/l (I - u u')
 ///
-/// to the blocks (s,s) and (t,t) and -k to (s,t) and (t,s); a slack edge adds nothing.
+/// to the blocks (s,s) and (t,t) and -k to (s,t) and (t,s); a slack edge adds nothing. An elastic
+/// support adds K to (b,b).
 /// @throws std::invalid_argument as energy()
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::SparseMatrix<double> stiffness(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,

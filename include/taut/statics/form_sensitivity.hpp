@@ -17,7 +17,8 @@ struct NetGradient {
     Eigen::VectorXd unstressed_lengths;  ///< m
     Eigen::VectorXd axial_stiffness;     ///< m; 0 for an edge with a tension law
     Points loads;                        ///< 3 x n; 0 at supports
-    Points nodes;                        ///< 3 x n, places of supports; 0 at free nodes
+    /// 3 x n, places of supports, of elastic ones their place without load; 0 at other nodes
+    Points nodes;
 };
 
 /// First and second derivatives of the equilibrium form with respect to unstressed lengths. By the
