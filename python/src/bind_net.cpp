@@ -38,9 +38,9 @@ void add_elastic_supports(const std::map<int, ArrayLike>& stiffnesses,
                           const std::map<int, ArrayLike>* places, CableNetData& data) {
     for (const auto& [node, given] : stiffnesses) {
         const std::string name = fmt::format("support_stiffness[{}]", node);
-        if (node < 0 || node >= data.nodes.cols()) {
-            throw nb::value_error(
-                fmt::format("{}: expected one of the {} nodes", name, data.nodes.cols()).c_str());
+        if (std::ranges::find(data.supports, node) == data.supports.end() || node < 0 ||
+            node >= data.nodes.cols()) {
+            throw nb::value_error(fmt::format("{}: is not among the supports", name).c_str());
         }
         ElasticSupport support{.node = node, .place = data.nodes.col(node)};
         if (numbers(given, name).ndim() == 2) {
@@ -204,7 +204,7 @@ Args:
     runs: named lists of edges that are cut from one cable; by default edges that go straight on
         through a node.
     bending_stiffness: EI (m,), or one number, for tensions from frequencies [N m2].
-    support_stiffness: of supports that give way, by node: one number, three of the axes, or a
+    support_stiffness: of those supports that give way, by node: one number, three of the axes, or a
         matrix (3, 3) [N/m].
     support_place: where they stand without load, by node (3,) [m], by default their place in
         `nodes`; or 'balanced': such that they are in balance in the nominal form.
@@ -241,19 +241,36 @@ Raises:
                     "l_0 of all edges (m,) [m].");
     net.def_prop_ro("loads", view<&CableNet::loads>(),
                     "External forces, self-weight included (n, 3) [N].");
-    net.def_prop_ro("supports", view<&CableNet::supports>(), "Nodes on the rigid frame.");
     net.def_prop_ro(
-        "elastic_supports",
+        "supports",
+        [](const CableNet& self) {
+            std::vector<int> all = self.supports();
+            for (const ElasticSupport& support : self.elastic_supports()) {
+                all.push_back(support.node);
+            }
+            return array_of(std::move(all));
+        },
+        "Nodes on the frame: rigid ones, then those with a support_stiffness.");
+    net.def_prop_ro(
+        "support_stiffness",
         [](const CableNet& self) {
             nb::dict result;
-            for (const auto& [node, stiffness, place] : self.elastic_supports()) {
-                result[nb::int_(node)] =
-                    nb::make_tuple(array_of_columns(stiffness), array_of(place));
+            for (const ElasticSupport& support : self.elastic_supports()) {
+                result[nb::int_(support.node)] = array_of_columns(support.stiffness);
             }
             return result;
         },
-        "Supports that give way, by node: their stiffness (3, 3) [N/m] and their place without "
-        "load (3,) [m]. They are among the free nodes.");
+        "Of supports that give way, by node (3, 3) [N/m]. They are among the free nodes.");
+    net.def_prop_ro(
+        "support_place",
+        [](const CableNet& self) {
+            nb::dict result;
+            for (const ElasticSupport& support : self.elastic_supports()) {
+                result[nb::int_(support.node)] = array_of(support.place);
+            }
+            return result;
+        },
+        "Where they stand without load, by node (3,) [m].");
     net.def_prop_ro("free_nodes", view<&CableNet::free_nodes>(), "Free nodes, ascending.");
     net.def_prop_ro("interior_edges", view<&CableNet::interior_edges>(),
                     "Edges of uncertain length, ascending.");

@@ -87,9 +87,16 @@ def _map(net, nodes, which, values, label, most=None):
     return figure
 
 
+def _free_nodes(net):
+    """Supports that give way are free nodes, too."""
+    stiffness = net.get("support_stiffness") or [None] * len(net["supports"])
+    rigid = [node for node, k in zip(net["supports"], stiffness) if k is None]
+    return np.setdiff1d(np.arange(len(net["nodes"])), rigid)
+
+
 def _study(result):
     net, sample, errors = result["cable_net"], result["sample"], result["errors"]
-    free = np.setdiff1d(np.arange(len(net["nodes"])), net["supports"])
+    free = _free_nodes(net)
     true, identified = np.array(sample["true"]), np.array(sample["identified"])
     yield "net_plan", _net(net, result["nominal_form"])
 
@@ -199,7 +206,7 @@ def _identification(result):
 
 def _plan(result):
     net = result["cable_net"]
-    free = np.setdiff1d(np.arange(len(net["nodes"])), net["supports"])
+    free = _free_nodes(net)
     target, normals = np.array(result["target_form"]), np.array(result["target_normals"])
     distances = {}
     for which in ("built", "planned"):

@@ -62,6 +62,13 @@ ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& tu
             .matrix();
     result.supports(Eigen::all, nodes) = (turned.nodes() - identified.nodes())(Eigen::all, nodes);
     result.own_loads = turned.loads() - identified.loads();
+    for (size_t k = 0; k < turned.elastic_supports().size(); ++k) {
+        const ElasticSupport& as_turned = turned.elastic_supports()[k];
+        const ElasticSupport& as_identified = identified.elastic_supports()[k];
+        result.supports.col(as_turned.node) = as_turned.place - as_identified.place;
+        result.support_stiffness =  // the same factor for all
+            std::log(as_turned.stiffness.trace() / as_identified.stiffness.trace());
+    }
     if (draws.stiffness.size() > 0) {
         result.stiffness += draws.stiffness.col(d);
     }

@@ -23,6 +23,10 @@ FormTarget::FormTarget(const CableNet& net, Points places, DeviationWeights weig
     m_normals = node_normals(net, m_places);
     m_normal_weight.setConstant(net.node_count(), weights.normal);
     m_tangential_weight.setConstant(net.node_count(), weights.tangential);
+    for (const ElasticSupport& support : net.elastic_supports()) {  // the frame is not adjusted
+        m_normal_weight(support.node) = 0.0;
+        m_tangential_weight(support.node) = 0.0;
+    }
     check_weights();
 }
 

@@ -16,6 +16,7 @@
 #include "adjustment/order_work.hpp"
 #include "adjustment/station_tour.hpp"
 #include "adjustment/work_stages.hpp"
+#include "net/all_supports.hpp"
 
 namespace taut {
 namespace {
@@ -25,10 +26,10 @@ constexpr int most_passes = 8;
 /// Where a crew stands to turn an edge: its support, else its middle.
 Eigen::Vector3d station_of(const CableNet& net, int edge) {
     const auto [s, t] = net.edges()[edge];
-    if (net.free_index(s) < 0) {
+    if (is_support(net, s)) {
         return net.nodes().col(s);
     }
-    if (net.free_index(t) < 0) {
+    if (is_support(net, t)) {
         return net.nodes().col(t);
     }
     return 0.5 * (net.nodes().col(s) + net.nodes().col(t));

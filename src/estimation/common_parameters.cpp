@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -37,7 +36,6 @@ CommonParameters::CommonParameters(const CableNet& net,
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
     m_load_rates.assign(count(), Points(3, 0));
-    std::ranges::copy(m_frame_loads, m_load_rates.begin() + first_of_frame());
     for (int k = 0; k < static_cast<int>(m_uncertain.size()); ++k) {
         const UncertainParameter& parameter = m_uncertain[k];
         if (parameter.kind == UncertainParameter::Kind::loads) {
@@ -64,7 +62,7 @@ CommonParameters::CommonParameters(const CableNet& net,
 /// Three translations and three rotations about the middle of the supports. A rotation moves the
 /// farthest support by as much as a translation does.
 void CommonParameters::set_frame(const CableNet& net) {
-    const Points places = anchors(net);
+    const Points places = places_without_load(net);
     m_middle = places.rowwise().mean();
     const double reach = (places.colwise() - m_middle).colwise().norm().maxCoeff();
     m_reach = reach > 0.0 ? reach : 1.0;
@@ -131,7 +129,7 @@ Points CommonParameters::frame_motion(const Eigen::VectorXd& values) const {
 }
 
 Points CommonParameters::frame_loads(const Eigen::VectorXd& values) const {
-    Points loads = Points::Zero(3, m_node_count);
+    Points loads = Points::Zero(3, m_frame_loads.empty() ? 0 : m_node_count);
     for (size_t k = 0; k < m_frame_loads.size(); ++k) {
         loads += values(first_of_frame() + static_cast<Eigen::Index>(k)) * m_frame_loads[k];
     }

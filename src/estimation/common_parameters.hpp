@@ -81,9 +81,9 @@ public:
     /// Change of the loads (3 x n); 3 x 0 where none can change [N].
     [[nodiscard]] Points load_change(const Eigen::VectorXd& values) const;
 
-    /// Factor of the stiffness of all elastic supports, and the change of its logarithm by one
-    /// standard deviation.
+    /// Factor of the stiffness of all elastic supports.
     [[nodiscard]] double support_factor(const Eigen::VectorXd& values) const;
+    /// Change of its logarithm by one standard deviation.
     [[nodiscard]] double support_stiffness_rate(int k) const;
     /// Change of log(EA), and of the thermal strain, of an edge by one standard deviation.
     [[nodiscard]] double stiffness_rate(int k, int edge) const {
@@ -115,8 +115,13 @@ public:
     [[nodiscard]] Points support_motion(const Eigen::VectorXd& values) const;
     /// The part of it by the frame, which is no error of the supports.
     [[nodiscard]] Points frame_motion(const Eigen::VectorXd& values) const;
-    /// The change of the loads by that motion: elastic supports move, too (3 x n) [N].
+    /// K m of elastic supports, which move by m with the frame (3 x n); 3 x 0: none [N].
     [[nodiscard]] Points frame_loads(const Eigen::VectorXd& values) const;
+    /// By one standard deviation of a parameter (3 x n); 3 x 0: none [N].
+    [[nodiscard]] Points frame_load_rate(int k) const {
+        const int i = k - first_of_frame();
+        return i >= 0 && i < std::ssize(m_frame_loads) ? m_frame_loads[i] : Points(3, 0);
+    }
 
 private:
     void set_frame(const CableNet& net);
@@ -129,7 +134,7 @@ private:
     std::vector<Points> m_motions;     ///< six of the frame, or none; three a moved support
     std::vector<Points> m_load_rates;  ///< count, each 3 x n or 3 x 0
     Eigen::Index m_node_count = 0;
-    std::vector<Points> m_frame_loads;  ///< six, or none
+    std::vector<Points> m_frame_loads;  ///< of six parameters, or none, each 3 x n [N]
     Eigen::Vector3d m_middle = Eigen::Vector3d::Zero();
     double m_reach = 1.0;  ///< largest distance of a support from it [m]
     static constexpr double m_translation_unit = 0.1;  ///< far more than such errors [m]

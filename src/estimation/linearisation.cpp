@@ -139,6 +139,14 @@ void Linearisation::set_weights(const Observations& observations) {
     matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
                             observations.load_variance(Eigen::all, numbers.free_nodes) *
                             m_load_factors.cwiseAbs2().asDiagonal();
+    if (observations.cross_load_variance.cols() > 0) {
+        matrix.cross_load_variances =
+            m_multiplier_unit * m_multiplier_unit *
+            observations.cross_load_variance(Eigen::all, numbers.free_nodes) *
+            m_load_factors.cwiseAbs2().asDiagonal();
+    } else {
+        matrix.cross_load_variances.setZero();
+    }
     matrix.force_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
 }
 
@@ -228,15 +236,18 @@ void Linearisation::set_border(const Observations& observations) {
 void Linearisation::add_elastic_supports(const Iterate& iterate) {
     const CommonParameters& common = m_model->common;
     const double factor = common.support_factor(iterate.common);
-    for (const auto& [node, stiffness, place] : m_model->net().elastic_supports()) {
-        const int local = m_model->numbering().local_of[node];
+    const Points forces = m_model->designed_elastic_forces(iterate);
+    for (const ElasticSupport& support : m_model->net().elastic_supports()) {
+        const int local = m_model->numbering().local_of[support.node];
         m_matrix->inner.node_stiffness[local] +=
-            m_length_unit * m_multiplier_unit * factor * stiffness;
-        const Eigen::Vector3d force =
-            factor * (stiffness * (iterate.form.col(node) - place) - iterate.loads.col(node));
+            m_length_unit * m_multiplier_unit * factor * support.stiffness;
         for (int k = 0; k < common.count(); ++k) {
-            m_matrix->border[k].multipliers.col(local) +=
-                m_multiplier_unit * common.support_stiffness_rate(k) * force;
+            Eigen::Vector3d rate =
+                common.support_stiffness_rate(k) * factor * forces.col(support.node);
+            if (const Points of_frame = common.frame_load_rate(k); of_frame.cols() > 0) {
+                rate -= factor * of_frame.col(support.node);
+            }
+            m_matrix->border[k].multipliers.col(local) += m_multiplier_unit * rate;
         }
     }
 }
@@ -331,8 +342,8 @@ BorderedFactor::Vector Linearisation::right_side(const Iterate& iterate,
         .inner = {.places =
                       m_length_unit * misfit(Eigen::all, numbers.nodes) - m_reactions.inner.places,
                   .lengths = -m_reactions.inner.lengths,
-                  .multipliers = -m_multiplier_unit * forces +
-                                 m_matrix->inner.load_variances.cwiseProduct(m_multipliers)},
+                  .multipliers =
+                      -m_multiplier_unit * forces + m_matrix->inner.loads_by(m_multipliers)},
         .border = observations.common_mean - iterate.common - m_reactions.border};
     result.inner.lengths(m_model->net().interior_edges()) +=
         m_length_unit * (observations.mean - iterate.deviations)
@@ -391,7 +402,7 @@ Iterate Linearisation::step(const Iterate& iterate, const Observations& observat
                    .common = solution.border};
     change.form(Eigen::all, numbers.nodes) = m_length_unit * solution.inner.places;
     change.loads(Eigen::all, numbers.free_nodes) +=
-        m_matrix->inner.load_variances.cwiseProduct(m_multipliers + solution.inner.multipliers) *
+        m_matrix->inner.loads_by(m_multipliers + solution.inner.multipliers) *
         m_load_factors.cwiseInverse().asDiagonal() / m_multiplier_unit;
     return change;
 }

@@ -39,8 +39,9 @@ Covariance Linearisation::covariance() const {
             result.places[node] = rates * found.border * rates.transpose();
         }
         if (local < numbers.local.free_count) {  // V + V Z V, Z the inverse over the multipliers
-            const Eigen::Vector3d variance = m_matrix->inner.load_variances.col(local);
-            const Eigen::Matrix3d V = variance.asDiagonal();
+            const SaddlePointFactor& matrix = m_matrix->inner;
+            const Eigen::Matrix3d V =
+                symmetric_block(matrix.load_variances, matrix.cross_load_variances, local);
             result.loads[node] = (V + V * found.multipliers[local] * V) /
                                  (force_unit * m_load_factors(local) * m_load_factors(local));
         }

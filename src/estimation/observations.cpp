@@ -4,19 +4,18 @@
 
 #include <utility>
 
+#include "numerics/symmetric_blocks.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
 
 Eigen::Matrix3d Observations::weight(int node) const {
-    Eigen::Matrix3d S = weights.col(node).asDiagonal();
-    if (cross_weights.cols() > 0) {
-        S(0, 1) = S(1, 0) = cross_weights(0, node);
-        S(0, 2) = S(2, 0) = cross_weights(1, node);
-        S(1, 2) = S(2, 1) = cross_weights(2, node);
-    }
-    return S;
+    return symmetric_block(weights, cross_weights, node);
+}
+
+Eigen::Matrix3d Observations::load_covariance(int node) const {
+    return symmetric_block(load_variance, cross_load_variance, node);
 }
 
 void Observations::scale_weight(int node, double factor) {
@@ -27,19 +26,7 @@ void Observations::scale_weight(int node, double factor) {
 }
 
 Points Observations::weighted(const Points& errors) const {
-    Points result = weights.cwiseProduct(errors);
-    if (cross_weights.cols() > 0) {
-        const auto xy = cross_weights.row(0).array();
-        const auto xz = cross_weights.row(1).array();
-        const auto yz = cross_weights.row(2).array();
-        const auto x = errors.row(0).array();
-        const auto y = errors.row(1).array();
-        const auto z = errors.row(2).array();
-        result.row(0).array() += xy * y + xz * z;
-        result.row(1).array() += xy * x + yz * z;
-        result.row(2).array() += xz * x + yz * y;
-    }
-    return result;
+    return symmetric_products(weights, cross_weights, errors);
 }
 
 double Observations::squared_norm(const Points& errors) const {

@@ -38,9 +38,11 @@ struct Observations {
     Eigen::MatrixXd mean_root;
     /// Added to the precision of all lengths, as a part of it: damps the steps of a search.
     double length_damping = 0.0;
-    Eigen::VectorXd variance;         ///< m_I, prior variance, positive [m2]
-    Points load_mean;                 ///< 3 x n, of deviations of the nodes' loads [N]
-    Points load_variance;             ///< 3 x n, of the same; 0: known [N2]
+    Eigen::VectorXd variance;  ///< m_I, prior variance, positive [m2]
+    Points load_mean;          ///< 3 x n, of deviations of the nodes' loads [N]
+    /// 3 x n, the diagonal of V, the covariance of each node's; 0: known [N2].
+    Points load_variance;
+    Points cross_load_variance;       ///< 3 x n, its entries xy, xz, yz; 3 x 0: all 0 [N2]
     Eigen::VectorXd common_mean;      ///< of each common parameter, in its standard deviations
     Eigen::VectorXd tension;          ///< m, as measured; anything where the weight is 0 [N]
     Eigen::VectorXd tension_weights;  ///< m, 1 / variance, else 0 [1/N2]
@@ -50,7 +52,8 @@ struct Observations {
     std::shared_ptr<const LengthEvidence> evidence;  ///< null: there is none
     Eigen::VectorXd evidence_pull;                   ///< p; empty without
 
-    [[nodiscard]] Eigen::Matrix3d weight(int node) const;  ///< S of a node [1/m2]
+    [[nodiscard]] Eigen::Matrix3d weight(int node) const;           ///< S of a node [1/m2]
+    [[nodiscard]] Eigen::Matrix3d load_covariance(int node) const;  ///< V of a node [N2]
     /// Multiplies S of a node.
     void scale_weight(int node, double factor);
     /// S e of errors of places (3 x n) [1/m].

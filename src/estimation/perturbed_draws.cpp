@@ -78,9 +78,14 @@ Observations perturbed(const CableNet& net, const Observations& observations,
             result.support_mean(k) += random.normal() / std::sqrt(weight);
         }
     }
-    for (Eigen::Index k = 0; k < result.load_mean.size(); ++k) {
-        if (const double variance = observations.load_variance(k); variance > 0.0) {
-            result.load_mean(k) += random.normal() * std::sqrt(variance);
+    for (int node = 0; node < net.node_count(); ++node) {
+        if (observations.load_variance.col(node).maxCoeff() > 0.0) {
+            Eigen::Vector3d error;
+            for (double& of_one : error) {
+                of_one = random.normal();
+            }
+            const Eigen::LLT<Eigen::Matrix3d> root(observations.load_covariance(node));
+            result.load_mean.col(node) += root.matrixL() * error;
         }
     }
     for (double& mean : result.common_mean) {
@@ -233,7 +238,8 @@ private:
                                            const Eigen::VectorXd& common) const;
     [[nodiscard]] ModelPerturbation drawn_perturbation(const Iterate& drawn,
                                                        const Eigen::VectorXd& own_stiffness) const;
-    void take_support_stiffness(ModelPerturbation& perturbation, const Points& form) const;
+    void hold_springs_as_loads(ModelPerturbation& perturbation, const Iterate& drawn,
+                               const Points& form) const;
     [[nodiscard]] double squared_departure(const Iterate& drawn, const Eigen::VectorXd& tensions,
                                            const Points& form,
                                            const Eigen::VectorXd& tensions_in_balance) const;
@@ -386,17 +392,27 @@ ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
         (drawn.form - m_net.nodes())(Eigen::all, m_net.supports());
     result.own_loads = drawn.loads * m_model.load_factors(drawn).asDiagonal();
     result.support_stiffness = std::log(common.support_factor(drawn.common));
-    if (const Points change = common.load_change(drawn.common); change.cols() > 0) {
-        result.own_loads += change;
+    for (const Points& change :
+         {common.load_change(drawn.common),
+          Points(common.support_factor(drawn.common) * common.frame_loads(drawn.common))}) {
+        if (change.cols() > 0) {
+            result.own_loads += change;
+        }
     }
     return result;
 }
 
-/// (elastic-supports): samples hold what another stiffness of supports changes as loads on these.
-void Perturbation::take_support_stiffness(ModelPerturbation& perturbation,
-                                          const Points& form) const {
+/// (elastic-supports): samples hold what the frame and another stiffness of supports change as
+/// loads on these, in the frame of the net.
+void Perturbation::hold_springs_as_loads(ModelPerturbation& perturbation, const Iterate& drawn,
+                                         const Points& form) const {
     const double factor = std::exp(std::exchange(perturbation.support_stiffness, 0.0));
-    perturbation.own_loads += (1.0 - factor) * elastic_forces(m_net, form);
+    Points forces = elastic_forces(m_net, form);
+    if (const Points by_frame = m_model.common.frame_loads(drawn.common); by_frame.cols() > 0) {
+        forces -= by_frame;
+        perturbation.own_loads -= factor * by_frame;
+    }
+    perturbation.own_loads += (1.0 - factor) * forces;
 }
 
 /// Squared distance of a form in equilibrium and its tensions from those of the draw, in standard
@@ -547,8 +563,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                 return std::nullopt;
             }
             result.perturbation->supports -= m_model.common.frame_motion(drawn.common);
-            result.perturbation->own_loads -= m_model.common.frame_loads(drawn.common);
-            take_support_stiffness(*result.perturbation, result.form);
+            hold_springs_as_loads(*result.perturbation, drawn, result.form);
         } catch (const NetError&) {
             return std::nullopt;  // a length that is no longer positive
         }
@@ -617,7 +632,7 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
     }
     Eigen::VectorXd length_shift;
     // Only where loads at nodes are uncertain: by measurement, docs/theory.md.
-    if (m_sites.load_variance.maxCoeff() > 0.0) {
+    if (std_of(m_knowledge.uncertain, UncertainParameter::Kind::loads_each) > 0.0) {
         length_shift = move_sites(refit_all, progress);
         draws.clear();
     }

@@ -25,11 +25,6 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
         1.0 / (force.std * force.std + force.shared_std * force.shared_std);
 }
 
-Eigen::Vector3d place_force_variance(const ElasticSupport& support, double place_std) {
-    return place_std * place_std *
-           (support.stiffness * support.stiffness).cwiseAbs().rowwise().sum();
-}
-
 double PriorKnowledge::length_std() const {
     double sum = 0.0;
     for (const LengthPrior& prior : priors) {
@@ -101,7 +96,13 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
             result.support_weights.col(node).setConstant(1.0 / (std * std));
         }
         for (const ElasticSupport& support : net.elastic_supports()) {
-            result.load_variance.col(support.node) += place_force_variance(support, std);
+            const Eigen::Matrix3d V = std * std * support.stiffness * support.stiffness;
+            result.load_variance.col(support.node) += V.diagonal();
+            if (!V.isDiagonal(0.0)) {
+                result.cross_load_variance.conservativeResizeLike(
+                    Points::Zero(3, net.node_count()));
+                result.cross_load_variance.col(support.node) << V(0, 1), V(0, 2), V(1, 2);
+            }
         }
     }
     if (const double std = std_of(knowledge.uncertain, UncertainParameter::Kind::loads_each);

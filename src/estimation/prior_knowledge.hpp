@@ -43,11 +43,6 @@ struct PriorKnowledge {
 /// A survey with its supports as targets like the others.
 [[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey);
 
-/// Variance of the force on an elastic support whose place without load is uncertain, by axis: that
-/// of K times the error. Where K couples axes, by the sums of the rows of its covariance, which the
-/// diagonal matrix of them is never below [N2].
-[[nodiscard]] Eigen::Vector3d place_force_variance(const ElasticSupport& support, double place_std);
-
 /// Adds a force measurement. What it shares with others is a part of the measured tension, so that
 /// the misfit is linear in it; where no parameter holds it, it is a part of the measurement's own
 /// error. docs/theory.md, (shared-error).

@@ -25,6 +25,7 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
     cross_place_weights.setZero(3, m_lengths_last.node_count());
     length_weights.setZero(edge_count);
     load_variances.setZero(3, net.free_count);
+    cross_load_variances.setZero(3, net.free_count);
     node_stiffness.assign(net.free_count, Eigen::Matrix3d::Zero());
     edge_stiffness.assign(net.edges.size(), Eigen::Matrix3d::Zero());
     length_rates.setZero(3, edge_count);
@@ -76,6 +77,9 @@ void SaddlePointFactor::assemble(int node, const Places& places, FrontMatrix& fr
     front(own + 2, own + 1) += cross_place_weights(2, node);
     if (layout().is_free(node)) {
         front.diagonal().segment<3>(own + 3) -= load_variances.col(node);
+        front(own + 4, own + 3) -= cross_load_variances(0, node);
+        front(own + 5, own + 3) -= cross_load_variances(1, node);
+        front(own + 5, own + 4) -= cross_load_variances(2, node);
         front.block<3, 3>(own + 3, own) += node_stiffness[node];
     }
     for (const int e : layout().edges_of_node[node]) {

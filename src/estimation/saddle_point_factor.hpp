@@ -8,6 +8,7 @@
 
 #include "estimation/saddle_point_layout.hpp"
 #include "numerics/supernodal_factor.hpp"
+#include "numerics/symmetric_blocks.hpp"
 #include "statics/local_net.hpp"
 
 namespace taut {
@@ -68,7 +69,8 @@ public:
     Eigen::VectorXd length_weights;  ///< P, one an edge; unused for known lengths
     /// What coupled lengths add to P, edges x edges; unused for known lengths.
     Eigen::MatrixXd length_couplings;
-    Eigen::Matrix3Xd load_variances;              ///< V, 3 x free nodes
+    Eigen::Matrix3Xd load_variances;              ///< diagonal of V, 3 x free nodes
+    Eigen::Matrix3Xd cross_load_variances;        ///< its entries xy, xz, yz, 3 x free nodes
     std::vector<Eigen::Matrix3d> node_stiffness;  ///< diagonal block of H, one a free node
     /// One an edge: -1 times the block of H between its nodes.
     std::vector<Eigen::Matrix3d> edge_stiffness;
@@ -93,6 +95,11 @@ public:
 
     /// log of the determinant's absolute value, after factorize().
     [[nodiscard]] double log_determinant() const;
+
+    /// V times the multipliers (3 x free nodes).
+    [[nodiscard]] Eigen::Matrix3Xd loads_by(const Eigen::Matrix3Xd& multipliers) const {
+        return symmetric_products(load_variances, cross_load_variances, multipliers);
+    }
 
     struct Covariance {
         std::vector<Eigen::Matrix3d> places;       ///< one a node

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/statics_model.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -142,13 +143,30 @@ Eigen::VectorXd StaticsModel::load_factors(const Iterate& iterate) const {
     return result;
 }
 
+Points StaticsModel::designed_elastic_forces(const Iterate& iterate) const {
+    Points result = elastic_forces(*m_net, iterate.form);
+    const Points by_frame = common.frame_loads(iterate.common);
+    for (const ElasticSupport& support : m_net->elastic_supports()) {
+        result.col(support.node) -= iterate.loads.col(support.node);
+        if (by_frame.cols() > 0) {
+            result.col(support.node) -= by_frame.col(support.node);
+        }
+    }
+    return result;
+}
+
 Points StaticsModel::imbalance(const Iterate& iterate) const {
-    Points forces = -m_net->loads() - iterate.loads * load_factors(iterate).asDiagonal();
+    Points forces = -m_net->loads() - iterate.loads;
     if (const Points change = common.load_change(iterate.common); change.cols() > 0) {
         forces -= change;
     }
     if (!m_net->elastic_supports().empty()) {
-        forces += common.support_factor(iterate.common) * elastic_forces(*m_net, iterate.form);
+        const double factor = common.support_factor(iterate.common);
+        const Points designed = designed_elastic_forces(iterate);
+        for (const ElasticSupport& support : m_net->elastic_supports()) {
+            const int node = support.node;  // whose load is in `designed`
+            forces.col(node) += factor * designed.col(node) + iterate.loads.col(node);
+        }
     }
     for (int e = 0; e < m_net->edge_count(); ++e) {
         if (!slack[e]) {
@@ -174,9 +192,18 @@ double StaticsModel::quadratic_terms(const Observations& observations, const Ite
                  change.deviations.cwiseAbs2().cwiseQuotient(prior_variances(observations)).sum() +
                  change.common.squaredNorm();
     sum += of_supports;
-    sum += (observations.load_variance.array() > 0.0)
-               .select(change.loads.array().square() / observations.load_variance.array(), 0.0)
-               .sum();
+    const bool has_cross = observations.cross_load_variance.cols() > 0;
+    for (const int node : m_net->free_nodes()) {
+        const Eigen::Vector3d load = change.loads.col(node);
+        const Eigen::Vector3d variance = observations.load_variance.col(node);
+        if (has_cross && !observations.cross_load_variance.col(node).isZero(0.0)) {
+            sum += load.dot(observations.load_covariance(node).llt().solve(load));
+        } else {
+            sum += (variance.array() > 0.0)
+                       .select(load.array().square() / variance.array(), 0.0)
+                       .sum();
+        }
+    }
     return sum;
 }
 

@@ -88,6 +88,9 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         if (result.frame_offset) {
             const Points motion = result.frame_offset->motion_of(net.nodes());
             perturbation.supports(Eigen::all, net.supports()) += motion(Eigen::all, net.supports());
+            for (const auto& [node, stiffness, place] : net.elastic_supports()) {
+                perturbation.supports.col(node) += result.frame_offset->motion_of(place).col(0);
+            }
         }
         const CableNet identified = net_under(net, perturbation, lengths);
         balance(identified, identified.unstressed_lengths());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "net/all_supports.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -56,6 +57,21 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
             }
             for (int k = 0; k < model.common.count(); ++k) {
                 add(columns.common + k, rates.force_by(model.common_variation(e, k, iterate)));
+            }
+        }
+    }
+    const Points springs = model.designed_elastic_forces(iterate);
+    const double factor = model.common.support_factor(iterate.common);
+    for (const ElasticSupport& support : net.elastic_supports()) {
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                entries.emplace_back(3 * support.node + i, 3 * support.node + k,
+                                     factor * support.stiffness(i, k));
+            }
+            for (int k = 0; k < model.common.count(); ++k) {
+                entries.emplace_back(
+                    3 * support.node + i, columns.common + k,
+                    model.common.support_stiffness_rate(k) * factor * springs(i, support.node));
             }
         }
     }
@@ -235,6 +251,9 @@ std::vector<int> nodes_to_load(const PlannedFit& planned) {
     by_softness.reserve(net.free_nodes().size());
     Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * net.node_count());
     for (const int node : net.free_nodes()) {
+        if (is_support(net, node)) {
+            continue;
+        }
         force(3 * node + 2) = 1.0;
         const Eigen::VectorXd places = free_stiffness.places_by(force);
         by_softness.emplace_back(-places(3 * net.free_index(node) + 2), node);

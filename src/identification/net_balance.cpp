@@ -24,7 +24,9 @@ struct NetImbalance {
     double share = 0.0;      ///< of the mean tension
 };
 
-std::optional<NetImbalance> local_imbalance(const CableNet& net) {
+/// Elastic supports may be given where they stand without load.
+std::optional<NetImbalance> local_imbalance(const CableNet& as_given) {
+    const CableNet net = with_supports_in_balance(as_given);
     // Of the mean tension. The rest of a net that was found in equilibrium is far below.
     constexpr double least = 0.1;
     constexpr double balanced = 0.02;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "identification/parameter_estimates.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -158,42 +159,37 @@ private:
             add_node(parameter, node, shift, m_covariance.places[node]);
         }
         for (const ElasticSupport& support : m_net.elastic_supports()) {
-            add_anchor(parameter, support);
+            add_place_of_elastic(parameter, support);
         }
+    }
+
+    /// A force on a node is the sum of independent terms. This is the part of it that a term of
+    /// covariance `part` has.
+    struct ForceShare {
+        Eigen::Vector3d mean;
+        Eigen::Matrix3d covariance;
+    };
+    [[nodiscard]] ForceShare force_share(int node, const Eigen::Matrix3d& part) const {
+        const Eigen::Matrix3d ratio = part * m_sites.load_covariance(node).inverse();
+        return {.mean = ratio * (m_fitted.loads.col(node) - m_sites.load_mean.col(node)),
+                .covariance =
+                    part - ratio * part + ratio * m_covariance.loads[node] * ratio.transpose()};
     }
 
     /// (elastic-supports): the place of a support without load, by the force that its error adds.
-    void add_anchor(const UncertainParameter& parameter, const ElasticSupport& support) {
-        const int node = support.node;
-        const Eigen::Vector3d own = place_force_variance(support, parameter.std);
-        Eigen::Vector3d force;
-        Eigen::Vector3d variance;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Share of_it = share_of(own(axis), m_sites.load_variance(axis, node),
-                                         m_fitted.loads(axis, node) - m_sites.load_mean(axis, node),
-                                         m_covariance.loads[node](axis, axis));
-            force(axis) = of_it.mean;
-            variance(axis) = of_it.variance;
-        }
-        const Eigen::Matrix3d flexibility = support.stiffness.inverse();
-        Eigen::Matrix3d covariance = flexibility * variance.asDiagonal() * flexibility.transpose();
-        const double prior = parameter.std * parameter.std;
-        covariance.diagonal() = covariance.diagonal().cwiseMin(prior);
-        add_node(parameter, node, flexibility * force, covariance);
+    void add_place_of_elastic(const UncertainParameter& parameter, const ElasticSupport& support) {
+        const Eigen::Matrix3d& K = support.stiffness;
+        const ForceShare force = force_share(support.node, parameter.std * parameter.std * K * K);
+        const Eigen::Matrix3d flexibility = K.inverse();
+        add_node(parameter, support.node, flexibility * force.mean,
+                 flexibility * force.covariance * flexibility);
     }
 
     void add_own_loads(const UncertainParameter& parameter) {
-        const double prior = parameter.std * parameter.std;
+        const Eigen::Matrix3d own = parameter.std * parameter.std * Eigen::Matrix3d::Identity();
         for (const int node : m_net.free_nodes()) {
-            Eigen::Vector3d load = m_fitted.loads.col(node);
-            Eigen::Matrix3d covariance = m_covariance.loads[node];
-            for (int axis = 0; axis < 3; ++axis) {  // the rest is of an elastic support
-                const Share own = share_of(prior, m_sites.load_variance(axis, node), load(axis),
-                                           covariance(axis, axis));
-                load(axis) = own.mean;
-                covariance(axis, axis) = own.variance;
-            }
-            add_node(parameter, node, load, covariance);
+            const ForceShare load = force_share(node, own);
+            add_node(parameter, node, load.mean, load.covariance);
         }
     }
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "interchange/form_values.hpp"
+#include "net/all_supports.hpp"
 #include "taut/interchange/compas_json.hpp"
 
 namespace taut {
@@ -16,11 +17,10 @@ ordered_json nodes_json(const CableNet& net, const Points& form) {
     ordered_json nodes = ordered_json::object();
     for (int node = 0; node < net.node_count(); ++node) {
         const auto load = net.loads().col(node);
-        nodes[std::to_string(node)] = {
-            {"x", form(0, node)}, {"y", form(1, node)},
-            {"z", form(2, node)}, {"is_support", net.free_index(node) < 0},
-            {"px", load.x()},     {"py", load.y()},
-            {"pz", load.z()},     {"name", net.node_id(node)}};
+        nodes[std::to_string(node)] = {{"x", form(0, node)}, {"y", form(1, node)},
+                                       {"z", form(2, node)}, {"is_support", is_support(net, node)},
+                                       {"px", load.x()},     {"py", load.y()},
+                                       {"pz", load.z()},     {"name", net.node_id(node)}};
     }
     return nodes;
 }

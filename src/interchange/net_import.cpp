@@ -3,6 +3,7 @@
 #include "taut/interchange/net_import.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -123,6 +124,40 @@ Points balancing_loads(const CableNet& net) {
     return loads;
 }
 
+/// Names nodes where a load as large as the largest tension replaces what the file holds them by: a
+/// strut, a beam or a support.
+void warn_of_loads_that_hold(const CableNet& net, ImportReport& report) {
+    constexpr size_t named = 6;
+    constexpr double as_large = 1.0 - 1e-9;
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    std::vector<std::string> held;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double largest = 0.0;
+    for (const int node : net.free_nodes()) {
+        double most = 0.0;
+        for (const int edge : net.edges_at(node)) {
+            most = std::max(most, tension(edge));
+        }
+        const Eigen::Vector3d load = net.loads().col(node);
+        if (most > 0.0 && load.norm() >= as_large * most) {
+            held.push_back(net.node_id(node));
+            sum += load;
+            largest = std::max(largest, load.norm());
+        }
+    }
+    if (held.empty()) {
+        return;
+    }
+    const size_t more = held.size() > named ? held.size() - named : 0;
+    held.resize(held.size() - more);
+    report.warnings.push_back(fmt::format(
+        "balance hangs loads as large as the cables' forces on {} {}{}: up to {:.3g} N, {:.3g}, "
+        "{:.3g} and {:.3g} N in all. Does a strut, a beam or a support hold them that the net does "
+        "not have?",
+        held.size() + more == 1 ? "node" : "nodes", fmt::join(held, ", "),
+        more > 0 ? fmt::format(" and {} more", more) : "", largest, sum.x(), sum.y(), sum.z()));
+}
+
 void describe(const CableNet& net, ImportReport& report) {
     const Points loads = net.loads()(Eigen::all, net.free_nodes());
     report.load_sum = loads.rowwise().sum();
@@ -161,6 +196,7 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
         data = net.data();
         data.loads = balancing_loads(net);
         net = make_net(selected, std::move(data));
+        warn_of_loads_that_hold(net, report);
     }
     describe(net, report);
     return {.net = net, .report = std::move(report)};

@@ -228,17 +228,19 @@ void read_elastic_supports(const JsonValue& root, CableNetData& data) {
 }
 
 /// Entry of "supports" of the i-th rigid or elastic one.
-int entry_of_support(const JsonValue& root, bool is_elastic, int i) {
-    const nlohmann::json& stiffnesses = root.json().at("support_stiffness");
+int entry_of_support(const nlohmann::json& stiffnesses, bool is_elastic, int i) {
     if (stiffnesses.is_number()) {
         return i;
     }
-    for (int entry = 0; entry < static_cast<int>(stiffnesses.size()); ++entry) {
-        if (!stiffnesses.at(static_cast<size_t>(entry)).is_null() == is_elastic && i-- == 0) {
-            return entry;
+    int entry = 0;
+    for (; entry < static_cast<int>(stiffnesses.size()); ++entry) {
+        const bool is_one = stiffnesses.at(static_cast<size_t>(entry)).is_null() != is_elastic;
+        if (is_one && i == 0) {
+            break;
         }
+        i -= is_one ? 1 : 0;
     }
-    return i;
+    return entry;
 }
 
 /// JSON pointer of a broken rule.
@@ -247,12 +249,11 @@ std::string pointer_to(const JsonValue& root, const NetError& error) {
     if (root.json().contains(field) && root.json().at(field).is_number()) {
         return "/" + field;  // one for all
     }
-    const bool is_elastic =
-        field == "elastic_supports" || field == "support_stiffness" || field == "support_place";
+    const bool is_elastic = field == "elastic_supports";
     if (root.json().contains("support_stiffness") && !error.index().empty() &&
         (is_elastic || field == "supports")) {
-        return fmt::format("/{}/{}", field == "elastic_supports" ? "supports" : field,
-                           entry_of_support(root, is_elastic, error.index().front()));
+        return fmt::format("/supports/{}", entry_of_support(root.json().at("support_stiffness"),
+                                                            is_elastic, error.index().front()));
     }
     std::string pointer = "/" + field;
     for (const int index : error.index()) {

@@ -22,6 +22,7 @@ namespace taut {
     return all_supports(net.data());
 }
 
+/// Whether a node is on the frame, rigid or elastic.
 [[nodiscard]] inline bool is_support(const CableNet& net, int node) {
     return net.free_index(node) < 0 ||
            std::ranges::find(net.elastic_supports(), node, &ElasticSupport::node) !=
@@ -29,7 +30,7 @@ namespace taut {
 }
 
 /// Places of all of these, of elastic ones without load (3 x count) [m].
-[[nodiscard]] inline Points anchors(const CableNet& net) {
+[[nodiscard]] inline Points places_without_load(const CableNet& net) {
     Points result(3, std::ssize(net.supports()) + std::ssize(net.elastic_supports()));
     Eigen::Index next = 0;
     for (const int node : net.supports()) {

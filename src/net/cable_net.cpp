@@ -118,6 +118,9 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     take_stiffness_of_laws(m_data);
     validate(m_data);
     sort_adjustable(m_data);
+    for (ElasticSupport& support : m_data.elastic_supports) {  // rounding errors of its maker
+        support.stiffness = (0.5 * (support.stiffness + support.stiffness.transpose())).eval();
+    }
     m_loads = with_self_weight(m_data);
 
     m_free_index.assign(node_count(), 0);

@@ -156,9 +156,10 @@ void check_elastic_supports(const CableNetData& data, std::vector<bool> is_suppo
         is_support[node] = true;
         const double largest = stiffness.cwiseAbs().maxCoeff();
         if (!stiffness.allFinite() || largest > largest_magnitude) {
-            throw NetError(
-                "support_stiffness", {i},
-                fmt::format("expected finite numbers of no more than {:g}", largest_magnitude));
+            throw NetError("elastic_supports", {i},
+                           fmt::format("has a stiffness at node {} that is not finite or exceeds "
+                                       "{:g}",
+                                       node, largest_magnitude));
         }
         const Eigen::Matrix3d difference = stiffness - stiffness.transpose();
         const Eigen::Vector3d strengths =
@@ -166,16 +167,17 @@ void check_elastic_supports(const CableNetData& data, std::vector<bool> is_suppo
                 .eigenvalues();
         if (difference.cwiseAbs().maxCoeff() > largest_asymmetry * largest ||
             !(strengths.minCoeff() > weakest_share * strengths.maxCoeff())) {
-            throw NetError("support_stiffness", {i},
-                           "is not symmetric and positive definite, expected a stiffness in every "
-                           "direction");
+            throw NetError("elastic_supports", {i},
+                           fmt::format("has a stiffness at node {} that is not symmetric and "
+                                       "positive definite, expected one in every direction",
+                                       node));
         }
         for (int k = 0; k < 3; ++k) {
             if (!std::isfinite(place(k)) || std::abs(place(k)) > largest_magnitude) {
-                throw NetError("support_place", {i},
-                               fmt::format("is {} in {}, expected a finite number of no more than "
-                                           "{:g}",
-                                           place(k), "xyz"[k], largest_magnitude));
+                throw NetError("elastic_supports", {i},
+                               fmt::format("has the place {} in {} at node {}, expected a finite "
+                                           "number of no more than {:g}",
+                                           place(k), "xyz"[k], node, largest_magnitude));
             }
         }
     }

@@ -228,7 +228,7 @@ Trust read_trust(const JsonValue& root) {
 }
 
 /// Places of the supports by all parts of a result.
-Points support_places(const JsonValue& root, const IdentificationResult& result) {
+Points support_places(const IdentificationResult& result) {
     const CableNet& net = result.net;
     Points places = net.nodes() + perturbation_of(net, result.uncertain).supports;
     for (const BoundaryOutlier& outlier : result.boundary_outliers) {
@@ -236,8 +236,8 @@ Points support_places(const JsonValue& root, const IdentificationResult& result)
             places.col(outlier.index) += outlier.deviation;
         }
     }
-    if (const auto offset = read_or_default<std::optional<FrameOffset>>(root, "frame_offset")) {
-        places += offset->motion_of(net.nodes());
+    if (result.frame_offset) {
+        places += result.frame_offset->motion_of(net.nodes());
     }
     return places;
 }
@@ -296,7 +296,8 @@ IdentificationResult read_identification(const JsonValue& root) {
         static_cast<void>(read_turned(epoch, result.net));
         static_cast<void>(read_trust(epoch));
     }
-    check_supports(member(root, "form"), result.form, result.net, support_places(root, result),
+    result.frame_offset = read_or_default<std::optional<FrameOffset>>(root, "frame_offset");
+    check_supports(member(root, "form"), result.form, result.net, support_places(result),
                    "/cable_net, moved as the result says");
     result.turned = read_turned(root, result.net);
     result.trust = read_trust(root);

@@ -44,6 +44,11 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
                        .data();
         }
         data.nodes = result.form;
+        for (ElasticSupport& support : data.elastic_supports) {
+            if (result.frame_offset) {
+                support.place += result.frame_offset->motion_of(support.place).col(0);
+            }
+        }
         return {.file = {.net = CableNet(std::move(data)), .unknown_keys = designed.unknown_keys},
                 .is_identified = true,
                 .slack = std::move(slack),

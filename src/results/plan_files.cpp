@@ -9,6 +9,7 @@
 #include <map>
 
 #include "files/csv_field.hpp"
+#include "net/all_supports.hpp"
 #include "results/document_parts.hpp"
 #include "taut/files/printable.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 /// Nothing too where the edge does not have one support, from which a rotation is seen.
 std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
     const auto [s, t] = record.net->edges()[edge];
-    if ((record.net->free_index(s) < 0) == (record.net->free_index(t) < 0)) {
+    if (is_support(*record.net, s) == is_support(*record.net, t)) {
         return std::nullopt;
     }
     const std::vector<int>& adjustable = record.net->adjustable_edges();
@@ -34,7 +35,7 @@ std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
 
 std::string support_id(const CableNet& net, int edge) {
     for (const int node : net.edges()[edge]) {
-        if (net.free_index(node) < 0) {
+        if (is_support(net, node)) {
             return net.node_id(node);
         }
     }

@@ -51,10 +51,22 @@ StressStates stress_states(const CableNet& net,
             taut_edges.push_back(e);
         }
     }
-    const int self_stress = SelfStress(equilibrium_matrix(net, form, taut_edges)).count();
+    // Springs of elastic supports bear any force there, as rigid supports do.
+    Eigen::SparseMatrix<double> matrix = equilibrium_matrix(net, form, taut_edges);
+    int rows = 3 * net.free_node_count();
+    if (!net.elastic_supports().empty()) {
+        std::vector<bool> is_held(static_cast<size_t>(net.free_node_count()), false);
+        for (const ElasticSupport& support : net.elastic_supports()) {
+            is_held[net.free_index(support.node)] = true;
+            rows -= 3;
+        }
+        matrix.prune([&is_held](Eigen::Index row, Eigen::Index, double) {
+            return !is_held[static_cast<size_t>(row / 3)];
+        });
+    }
+    const int self_stress = SelfStress(matrix).count();
     const int rank = static_cast<int>(taut_edges.size()) - self_stress;
-    return {
-        .rank = rank, .self_stress = self_stress, .mechanisms = 3 * net.free_node_count() - rank};
+    return {.rank = rank, .self_stress = self_stress, .mechanisms = rows - rank};
 }
 
 }  // namespace taut

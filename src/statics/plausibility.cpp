@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/statics/energy.hpp"
 #include "taut/statics/imbalance.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -59,7 +60,9 @@ std::vector<std::string> unit_warnings(const CableNet& net) {
             mean));
     }
     add_strain_warnings(net, warnings);
-    const Imbalance found = imbalance(net, net.unstressed_lengths(), net.nodes());
+    // Elastic supports may be given where they stand without load.
+    const CableNet held = with_supports_in_balance(net);
+    const Imbalance found = imbalance(held, held.unstressed_lengths(), held.nodes());
     if (found.mean_tension > 0.0 && std::isfinite(found.share()) &&
         found.share() > largest_imbalance) {
         warnings.push_back(

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "net/all_supports.hpp"
 #include "numerics/dense.hpp"
 #include "taut/net/units.hpp"
 
@@ -190,7 +191,7 @@ void take_off_offsets(const CableNet& net, const TargetOffsets& offsets, Survey&
     std::vector<std::string> without;
     for (const PlacedPoint& point : survey.placed) {
         const auto offset = offset_of(offsets, point);
-        if (!offset || net.free_index(point.node) < 0) {
+        if (!offset || is_support(net, point.node)) {
             continue;
         }
         const Eigen::Vector3d normal = normals.col(point.node);

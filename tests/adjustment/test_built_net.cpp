@@ -80,6 +80,39 @@ TEST(BuiltNet, HasTheSamplesOfAllThatIsUncertain) {
     expect_same_samples(net, identified(net, s.survey, std::move(all)));
 }
 
+TEST(BuiltNet, HasTheSamplesOfElasticSupports) {
+    const CableNet net = test::on_springs(site_net());
+    const auto supports = parse_uncertain_parameter("supports:1mm");
+    const auto stiffness = parse_uncertain_parameter("support-stiffness:10%");
+    const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
+    expect_same_samples(net, identified(net, s.survey, {supports}));
+    expect_same_samples(net, identified(net, s.survey, {stiffness}));
+    expect_same_samples(net, identified(net, s.survey, {supports, stiffness}));
+}
+
+TEST(BuiltNet, HasTheTensionsOfSamplesInAnotherFrame) {
+    const CableNet net = test::on_springs(site_net());
+    test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
+    s.survey.frame_is_unknown = true;
+    for (auto place : s.survey.form.colwise()) {
+        place += Eigen::Vector3d(5e-3, -4e-3, 3e-3);
+    }
+    const Identification found = identified(net, s.survey,
+                                            {parse_uncertain_parameter("supports:1mm"),
+                                             parse_uncertain_parameter("support-stiffness:10%")});
+    const BuiltNet built = built_net_of(net, found);
+    ASSERT_EQ(built.no_draws_because, "");
+    for (int d = 0; d < found.draws->count(); ++d) {
+        const CableNet sample = net_under(built.net, built.perturbations[static_cast<size_t>(d)],
+                                          built.length_draws.col(d));
+        const Eigen::VectorXd pull =
+            tensions(sample, sample.unstressed_lengths(), solve_equilibrium(sample).form);
+        const Eigen::VectorXd drawn = found.draws->tensions.col(d);
+        // Small rotations turn neither loads nor springs.
+        EXPECT_LT((pull - drawn).cwiseAbs().maxCoeff(), 2e-3 * drawn.mean()) << d;
+    }
+}
+
 int edge_at(const CableNet& net, int node) {
     const auto is_at = [node](const Edge& edge) { return edge[0] == node || edge[1] == node; };
     return static_cast<int>(std::ranges::find_if(net.edges(), is_at) - net.edges().begin());

@@ -69,6 +69,9 @@ protected:
             m_observed.load_variance.col(node).setConstant(400.0);
             m_observed.load_mean.col(node) = uniform_points(random, 1, 5.0);
         }
+        const int elastic = m_net.elastic_supports().front().node;
+        m_observed.cross_load_variance = Points::Zero(3, m_net.node_count());
+        m_observed.cross_load_variance.col(elastic) << 150.0, -80.0, 60.0;
         m_observed.common_mean = uniform_vector(random, common_count, 0.2);
         for (const int edge :
              {1, m_net.adjustable_edges().front()}) {  // the length of one is known
@@ -187,6 +190,13 @@ protected:
                 m_matrix(3 * node + i, 3 * node + k) += of_both;
                 m_matrix(3 * node + k, 3 * node + i) += of_both;
             }
+        }
+        for (int k = 0; k < m_net.free_node_count(); ++k) {
+            const Eigen::Index at = m_places + m_lengths + 3 * k;
+            const Eigen::Matrix3d of_load =
+                m_observed.load_covariance(m_net.free_nodes()[k]).inverse();
+            m_matrix.block<3, 3>(at, at) += of_load - of_places.block<3, 3>(at, at);
+            of_places.block<3, 3>(at, at) = of_load;
         }
         m_matrix.bottomLeftCorner(constraints, m_size) = m_rates;
         m_matrix.topRightCorner(m_size, constraints) = m_rates.transpose();

@@ -9,6 +9,7 @@
 
 #include "taut/identification/result.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/survey.hpp"
@@ -42,6 +43,25 @@ inline SimulatedSurvey simulate(
         }
     }
     return s;
+}
+
+/// A third of the supports give way by a millimetre or two under the net.
+inline CableNet on_springs(const CableNet& net) {
+    CableNetData data = net.data();
+    data.supports.clear();
+    for (size_t i = 0; i < net.supports().size(); ++i) {
+        const int node = net.supports()[i];
+        if (i % 3 != 0) {
+            data.supports.push_back(node);
+            continue;
+        }
+        const Eigen::Vector3d along = Eigen::Vector3d(1.0, 0.5, 0.2).normalized();
+        data.elastic_supports.push_back(
+            {.node = node,
+             .stiffness = 1e6 * (Eigen::Matrix3d::Identity() + 2.0 * along * along.transpose()),
+             .place = data.nodes.col(node)});
+    }
+    return with_supports_in_balance(CableNet(std::move(data)));
 }
 
 /// A net with as much tension at so many times the axial stiffness.

@@ -17,7 +17,7 @@
 #include "taut/identification/identify.hpp"
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/sampling/model_perturbation.hpp"
-#include "taut/statics/energy.hpp"
+#include "taut/statics/plausibility.hpp"
 
 namespace of_forces {
 
@@ -36,25 +36,6 @@ CableNet loaded_net() {
     const CableNet draft{CableNetData(data)};
     data.nodes = solve_equilibrium(draft).form;
     return CableNet(std::move(data));
-}
-
-/// A third of the supports give way by a millimetre or two under the net.
-CableNet on_springs(const CableNet& net) {
-    CableNetData data = net.data();
-    data.supports.clear();
-    for (size_t i = 0; i < net.supports().size(); ++i) {
-        const int node = net.supports()[i];
-        if (i % 3 != 0) {
-            data.supports.push_back(node);
-            continue;
-        }
-        const Eigen::Vector3d along = Eigen::Vector3d(1.0, 0.5, 0.2).normalized();
-        data.elastic_supports.push_back(
-            {.node = node,
-             .stiffness = 1e6 * (Eigen::Matrix3d::Identity() + 2.0 * along * along.transpose()),
-             .place = data.nodes.col(node)});
-    }
-    return with_supports_in_balance(CableNet(std::move(data)));
 }
 
 /// A built net that differs from the design in lengths and in uncertain parameters.
@@ -182,6 +163,49 @@ INSTANTIATE_TEST_SUITE_P(Map, UncertainParameters,
                                          std::vector{"stiffness:5%", "supports:1mm",
                                                      "temperature:15K", "adjustable:0.5mm",
                                                      "loads:20N"}));
+
+TEST(ElasticSupports, MoveWithTheFrameOfTheSurvey) {
+    const CableNet net = on_springs(loaded_net());
+    const std::vector<UncertainParameter> uncertain{
+        parse_uncertain_parameter("supports:1mm"),
+        parse_uncertain_parameter("support-stiffness:10%")};
+    Survey survey = built(net, uncertain, 6).simulated.survey;
+    survey.frame_is_unknown = true;
+    const Identification found = identify(net, survey, options_with(uncertain));
+    const Eigen::Vector3d turn(1e-3, -2e-3, 1.5e-3);
+    for (auto place : survey.form.colwise()) {
+        place += turn.cross(Eigen::Vector3d(place)) + Eigen::Vector3d(4e-3, -3e-3, 6e-3);
+    }
+    const Identification moved = identify(net, survey, options_with(uncertain));
+    ASSERT_EQ(moved.status, IdentificationStatus::converged);
+    for (size_t i = 0; i < found.edges.size(); ++i) {
+        EXPECT_NEAR(moved.edges[i].length_deviation, found.edges[i].length_deviation,
+                    0.03 * found.edges[i].std);
+        EXPECT_NEAR(moved.edges[i].std, found.edges[i].std, 0.01 * found.edges[i].std);
+    }
+    EXPECT_LT((moved.tensions - found.tensions).cwiseAbs().maxCoeff(),
+              2e-3 * found.tensions.mean());
+    EXPECT_LT(moved.residuals.mean(), 2.0 * noise);
+    for (size_t k = 0; k < found.uncertain.size(); ++k) {
+        EXPECT_NEAR(moved.uncertain[k].mean, found.uncertain[k].mean,
+                    0.03 * found.uncertain[k].std);
+    }
+}
+
+TEST(ElasticSupports, AreNoMissingCableWhereTheyStandUnloadedAtTheirNodes) {
+    CableNetData data = hypar(5, 5).data();
+    for (const int node : data.supports) {
+        data.elastic_supports.push_back({.node = node,
+                                         .stiffness = 1e7 * Eigen::Matrix3d::Identity(),
+                                         .place = data.nodes.col(node)});
+    }
+    data.supports.clear();
+    const CableNet net(std::move(data));
+    EXPECT_TRUE(unit_warnings(net).empty());
+    const Identification found =
+        identify(net, simulate(net, prior, noise, 2).survey, options_with({}));
+    EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
+}
 
 TEST(UncertainParameter, ThatIsAsGoodAsKnownChangesNothing) {
     const CableNet net = loaded_net();

@@ -111,12 +111,12 @@ INSTANTIATE_TEST_SUITE_P(
                  ":/support_stiffness/1: has 2 entries, expected null, a number, three numbers "
                  "[x, y, z] or a matrix of 3 x 3 [N/m]"},
         BadValue{"StiffnessOfNoDirection", "/support_stiffness", "[null, [1e6, 0, 1e6]]",
-                 ":/support_stiffness/1: is not symmetric and positive definite, expected a "
-                 "stiffness in every direction"},
+                 ":/supports/1: has a stiffness at node 2 that is not symmetric and positive "
+                 "definite, expected one in every direction"},
         BadValue{"StiffnessThatIsSkew", "/support_stiffness",
                  "[null, [[1e6, 5e5, 0], [0, 1e6, 0], [0, 0, 1e6]]]",
-                 ":/support_stiffness/1: is not symmetric and positive definite, expected a "
-                 "stiffness in every direction"},
+                 ":/supports/1: has a stiffness at node 2 that is not symmetric and positive "
+                 "definite, expected one in every direction"},
         BadValue{"PlaceWithoutStiffness", "/support_place", "[null, [0, 0, 0]]",
                  ":/support_place: is given without \"support_stiffness\""},
         BadValue{"ThreadOfTooManyEdges", "/thread", R"(["right", "left", "left"])",

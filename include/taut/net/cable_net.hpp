@@ -58,15 +58,16 @@ struct CableRun {
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).
 struct ElasticSupport {
     int node = -1;
-    Eigen::Matrix3d stiffness;  ///< K, symmetric and positive definite [N/m]
-    Eigen::Vector3d place;      ///< r_0, where it stands without load [m]
+    /// K, symmetric and positive definite [N/m].
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< r_0, where it stands without load [m]
 };
 
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
     std::string name;                    ///< for people and files; may be empty
     Points nodes;                        ///< 3 x n, the nominal form [m]
-    std::vector<int> supports;           ///< nodes on the rigid frame
+    std::vector<int> supports;           ///< nodes on the rigid part of the frame
     std::vector<Edge> edges;             ///< m pairs of nodes
     Eigen::VectorXd axial_stiffness;     ///< m, EA > 0; see CableNet::axial_stiffness() [N]
     Eigen::VectorXd unstressed_lengths;  ///< m, l_0 > 0 [m]

@@ -42,9 +42,11 @@ struct IdentificationResult {
     /// Adjustable edges and supports that are not as designed.
     std::vector<BoundaryOutlier> boundary_outliers;
     std::vector<EdgeTurned> turned;  ///< since the net was as designed, until the last survey
-    Trust trust;                     ///< empty in results of older versions
-    int draws = 0;                   ///< number of posterior samples
-    std::string draws_fingerprint;   ///< fingerprint_of() them; empty in older versions
+    /// Of the form, whose supports are moved by it; where the survey's frame was unknown.
+    std::optional<FrameOffset> frame_offset;
+    Trust trust;                    ///< empty in results of older versions
+    int draws = 0;                  ///< number of posterior samples
+    std::string draws_fingerprint;  ///< fingerprint_of() them; empty in older versions
     /// Residual of one surveyed node.
     struct Residual {
         int node = 0;                                 ///< index of a free node
