@@ -383,7 +383,8 @@ Raises:
     net.def("__repr__", [](const CableNet& self) {
         return fmt::format(
             "CableNet('{}': {} free nodes, {} supports, {} interior and {} adjustable edges)",
-            self.name(), self.free_node_count(), self.supports().size(), self.interior_edge_count(),
+            self.name(), self.free_node_count() - std::ssize(self.elastic_supports()),
+            self.supports().size() + self.elastic_supports().size(), self.interior_edge_count(),
             self.adjustable_edges().size());
     });
 }

@@ -90,7 +90,7 @@ def _map(net, nodes, which, values, label, most=None):
 def _free_nodes(net):
     """Supports that give way are free nodes, too."""
     stiffness = net.get("support_stiffness") or [None] * len(net["supports"])
-    rigid = [node for node, k in zip(net["supports"], stiffness) if k is None]
+    rigid = [node for i, node in enumerate(net["supports"]) if stiffness[i] is None]
     return np.setdiff1d(np.arange(len(net["nodes"])), rigid)
 
 

@@ -124,38 +124,33 @@ Points balancing_loads(const CableNet& net) {
     return loads;
 }
 
-/// Names nodes where a load as large as the largest tension replaces what the file holds them by: a
-/// strut, a beam or a support.
-void warn_of_loads_that_hold(const CableNet& net, ImportReport& report) {
+/// Names the ends of single cables, which only a load holds: in the structure a strut, a beam or a
+/// support may.
+void warn_of_loose_ends(const CableNet& net, ImportReport& report) {
     constexpr size_t named = 6;
-    constexpr double as_large = 1.0 - 1e-9;
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
-    std::vector<std::string> held;
+    std::vector<std::string> ends;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double largest = 0.0;
     for (const int node : net.free_nodes()) {
-        double most = 0.0;
-        for (const int edge : net.edges_at(node)) {
-            most = std::max(most, tension(edge));
-        }
         const Eigen::Vector3d load = net.loads().col(node);
-        if (most > 0.0 && load.norm() >= as_large * most) {
-            held.push_back(net.node_id(node));
+        if (net.edges_at(node).size() == 1 && !load.isZero(0.0)) {
+            ends.push_back(net.node_id(node));
             sum += load;
             largest = std::max(largest, load.norm());
         }
     }
-    if (held.empty()) {
+    if (ends.empty()) {
         return;
     }
-    const size_t more = held.size() > named ? held.size() - named : 0;
-    held.resize(held.size() - more);
+    const size_t count = ends.size();
+    ends.resize(std::min(count, named));
     report.warnings.push_back(fmt::format(
-        "balance hangs loads as large as the cables' forces on {} {}{}: up to {:.3g} N, {:.3g}, "
-        "{:.3g} and {:.3g} N in all. Does a strut, a beam or a support hold them that the net does "
+        "only the loads of 'balance' hold {} {}{}, where one cable ends: up to {:.3g} N, together "
+        "({:.3g}, {:.3g}, {:.3g}) N. Does a strut, a beam or a support hold it that the net does "
         "not have?",
-        held.size() + more == 1 ? "node" : "nodes", fmt::join(held, ", "),
-        more > 0 ? fmt::format(" and {} more", more) : "", largest, sum.x(), sum.y(), sum.z()));
+        count == 1 ? "node" : "nodes", fmt::join(ends, ", "),
+        count > named ? fmt::format(" and {} more", count - named) : "", largest, sum.x(), sum.y(),
+        sum.z()));
 }
 
 void describe(const CableNet& net, ImportReport& report) {
@@ -196,7 +191,7 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
         data = net.data();
         data.loads = balancing_loads(net);
         net = make_net(selected, std::move(data));
-        warn_of_loads_that_hold(net, report);
+        warn_of_loose_ends(net, report);
     }
     describe(net, report);
     return {.net = net, .report = std::move(report)};

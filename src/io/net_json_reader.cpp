@@ -158,9 +158,10 @@ Eigen::Matrix3d read_stiffness(const JsonValue& value) {
     }
     value.require_array(3, expected);
     Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+    const bool is_matrix = value.at(0).json().is_array();
     for (Eigen::Index i = 0; i < 3; ++i) {
         const JsonValue row = value.at(static_cast<size_t>(i));
-        if (row.json().is_number()) {
+        if (!is_matrix) {
             result(i, i) = row.number();
             continue;
         }

@@ -192,6 +192,26 @@ TEST(ElasticSupports, MoveWithTheFrameOfTheSurvey) {
     }
 }
 
+TEST(ElasticSupports, ThatStandFarFromTheirPlaceAreNamed) {
+    const CableNet net = on_springs(loaded_net());
+    const std::vector<UncertainParameter> uncertain{parse_uncertain_parameter("supports:1mm")};
+    const int node = net.elastic_supports()[1].node;
+    // Little: the place gives way. Much: the target there is left out, which may be right.
+    for (const double shift : {0.0, 4e-3, 12e-3}) {
+        CableNetData data = net.data();
+        data.elastic_supports[1].place.x() += shift;
+        const Built truth = built(CableNet(data), uncertain, 7);
+        const Identification found = identify(net, truth.simulated.survey, options_with(uncertain));
+        EXPECT_EQ(found.trust.verdict(),
+                  shift > 0.0 ? Trust::Verdict::doubtful : Trust::Verdict::passed);
+        if (shift > 0.0) {
+            EXPECT_EQ(found.trust.findings.front().kind,
+                      shift < 10e-3 ? Trust::Finding::Kind::support : Trust::Finding::Kind::target);
+            EXPECT_EQ(found.trust.findings.front().ids, std::vector{net.node_id(node)});
+        }
+    }
+}
+
 TEST(ElasticSupports, AreNoMissingCableWhereTheyStandUnloadedAtTheirNodes) {
     CableNetData data = hypar(5, 5).data();
     for (const int node : data.supports) {

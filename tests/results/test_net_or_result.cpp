@@ -48,6 +48,23 @@ TEST(NetOrResult, OfAnIdentificationHasItsLengthsAndItsForm) {
     }
 }
 
+TEST(NetOrResult, HasTheElasticSupportsBesideRigidOnes) {
+    CableNetData data = hypar(2, 3).data();
+    const int node = data.supports.back();
+    data.supports.pop_back();
+    data.elastic_supports = {
+        {.node = node,
+         .stiffness = 1e6 * (Eigen::Matrix3d::Identity() + 0.2 * Eigen::Matrix3d::Ones()),
+         .place = data.nodes.col(node)}};
+    const CableNet designed(data);
+    const CableNet net = parse(json::parse(test::made_up_identification(designed).json)).file.net;
+    EXPECT_EQ(net.supports(), designed.supports());
+    ASSERT_EQ(net.elastic_supports().size(), 1U);
+    EXPECT_EQ(net.elastic_supports()[0].node, node);
+    EXPECT_EQ(net.elastic_supports()[0].stiffness, designed.elastic_supports()[0].stiffness);
+    EXPECT_EQ(net.elastic_supports()[0].place, designed.elastic_supports()[0].place);
+}
+
 TEST(NetOrResult, ListsEdgesThatTheSurveyDoesNotDetermine) {
     json document = identification();
     document["edges"][3]["status"] = "unobserved";
