@@ -77,8 +77,6 @@ Rule net_rule() {
     net.add("loads", points, false);
     net.add("node_ids", texts, false);
     net.add("edge_ids", texts, false);
-    net.add("support_place", Rule::list_of(Rule::point().or_null()), false);
-    net.add("support_stiffness", Rule::list_of(Rule::any_of(numbers, points).or_null()), false);
     return net.rule();
 }
 

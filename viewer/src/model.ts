@@ -99,6 +99,11 @@ function marks(count: number, indices: number[]): Uint8Array {
   return result;
 }
 
+/** Keys of a net that results do not describe: a stiffness, or null, of each support. */
+interface WithSprings extends NetFile {
+  support_stiffness?: unknown[];
+}
+
 export function netOf(net: NetFile, form: [number, number, number][]): Model {
   const isAdjustable = marks(net.edges.length, net.adjustable);
   return {
@@ -106,7 +111,7 @@ export function netOf(net: NetFile, form: [number, number, number][]): Model {
     edgeCount: net.edges.length,
     ends: Uint32Array.from(net.edges.flat()),
     isSupport: marks(net.nodes.length, net.supports),
-    isFixed: marks(net.nodes.length, net.supports.filter((_, i) => (net.support_stiffness?.[i] ?? null) === null)),
+    isFixed: marks(net.nodes.length, net.supports.filter((_, i) => ((net as WithSprings).support_stiffness?.[i] ?? null) === null)),
     isAdjustable,
     charted: net.edges.map((_, e) => e).filter((e) => !isAdjustable[e]),
     form: flat(form),
