@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "adjustment/tension_targets.hpp"
 #include "adjustment/work_stages.hpp"
@@ -146,16 +147,15 @@ ReactionLimit limit_of(const CableNet& net, const ReactionBound& bound) {
         return {.name = "all supports", .supports = all_supports(net), .upper = bound.upper};
     }
     ReactionLimit limit{.name = *bound.group, .supports = {}, .upper = bound.upper};
+    std::set<int> supports;
     for (const int edge : edges_of_group(net, *bound.group, "reaction")) {
         for (const int node : net.edges()[edge]) {
             if (is_support(net, node)) {
-                limit.supports.push_back(node);
+                supports.insert(node);
             }
         }
     }
-    std::ranges::sort(limit.supports);
-    limit.supports.erase(std::unique(limit.supports.begin(), limit.supports.end()),
-                         limit.supports.end());
+    limit.supports.assign(supports.begin(), supports.end());
     if (limit.supports.empty()) {
         throw RequestError(
             "reaction",

@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "estimation/detectable_error.hpp"
@@ -262,12 +263,11 @@ std::vector<Hypothesis*> worth_a_look(Hypotheses& hypotheses, const PairTests& t
 
 void test_pairs(const std::vector<Hypothesis*>& pairs, const PairTests& tests,
                 const Linearisation& linearisation) {
-    std::vector<int> places;
+    std::set<int> of_pairs;
     for (const Hypothesis* pair : pairs) {
-        places.insert(places.end(), {pair->index, pair->other});
+        of_pairs.insert({pair->index, pair->other});
     }
-    std::ranges::sort(places);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+    const std::vector<int> places(of_pairs.begin(), of_pairs.end());
     std::vector<int> edges(places.size());
     std::ranges::transform(places, edges.begin(),
                            [&](int i) { return tests.net.interior_edges()[i]; });

@@ -57,7 +57,7 @@ struct CableRun {
 
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).
 struct ElasticSupport {
-    int node = -1;
+    int node = -1;  ///< a free node
     /// K, symmetric and positive definite [N/m].
     Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< r_0, where it stands without load [m]
