@@ -121,7 +121,7 @@ def in_a_frame(form, random):
     return form + (form - form.mean(axis=0)) @ (turn - turn.T).T + 5e-3 * random.normal(size=3)
 
 
-def rows(case, folder):
+def rows(case, folder, totals):
     name, prior, noise, surveys = case
     net = OnSprings(name, folder)
     found = {false: Row() for false in FALSE}
@@ -137,16 +137,33 @@ def rows(case, folder):
             net.give(*FALSE[false], one)
             row.add(net, job, prior, noise)
     for false, row in found.items():
+        totals.add(false, row)
         yield f"| `{name}`, {prior}, {noise}, {surveys} surveys | {false} | {row} |"
+
+
+class Totals:
+    """Over all nets: how many passed of each false premise."""
+
+    def __init__(self):
+        self.passed, self.all = collections.Counter(), collections.Counter()
+
+    def add(self, false, row):
+        self.passed[false] += row.verdicts["passed"]
+        self.all[false] += row.verdicts.total()
+
+    def __str__(self):
+        return "; ".join(f"{false}: {self.passed[false]} of {self.all[false]}" for false in self.all)
 
 
 def lines():
     yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/elastic_supports.py --write`:\n"
     yield "| net | what is false | verdicts | for | lengths inside | tensions inside, worst survey | mean tension inside | stiffness of supports inside |"
     yield "|" + "---|" * 8
+    totals = Totals()
     for case in CASES:
         with tempfile.TemporaryDirectory() as folder:
-            yield from rows(case, pathlib.Path(folder))
+            yield from rows(case, pathlib.Path(folder), totals)
+    yield f"\nPassed, where this is false: {totals}."
 
 
 if __name__ == "__main__":

@@ -200,7 +200,7 @@ void print_uncertain(const CableNet& net, const Identification& result) {
 }
 
 /// Parameters that the tensions depend on and that are assumed exact.
-std::string exact_parameters(const Identification& result) {
+std::string exact_parameters(const CableNet& net, const Identification& result) {
     const auto is_uncertain = [&](auto... kinds) {
         return std::ranges::any_of(result.uncertain, [&](const ParameterEstimate& one) {
             return ((one.parameter.kind == kinds) || ...);
@@ -216,6 +216,9 @@ std::string exact_parameters(const Identification& result) {
     }
     if (!is_uncertain(Kind::supports)) {
         given.emplace_back("supports");
+    }
+    if (!net.elastic_supports().empty() && !is_uncertain(Kind::support_stiffness)) {
+        given.emplace_back("stiffness of supports");
     }
     return given.empty() ? "" : fmt::format("; {} assumed exact", fmt::join(given, ", "));
 }
@@ -238,7 +241,7 @@ void print_common_deviation(const CommonDeviation& common) {
     say("\n");
 }
 
-void print_draws(const Identification& result) {
+void print_draws(const CableNet& net, const Identification& result) {
     if (!result.draws) {
         say("tensions: not reported, as there are no posterior samples (--draws)\n");
         return;
@@ -250,7 +253,7 @@ void print_draws(const Identification& result) {
     }
     say("mean tension: {}\n  from {} posterior samples: {}{}\n",
         tension_text(result.drawn.mean_tension), draws.count(), draws.how,
-        exact_parameters(result));
+        exact_parameters(net, result));
 }
 
 /// One line for each survey, where there are several.
@@ -449,7 +452,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     print_forces(net, result);
     print_common_deviation(result.prior.common);
     print_uncertain(net, result);
-    print_draws(result);
+    print_draws(net, result);
     say("\n");
     print_largest(net, result);
     print_slack(net, result);

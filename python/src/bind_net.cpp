@@ -161,6 +161,18 @@ auto view() {
     };
 }
 
+/// A property of elastic supports: a dict by node.
+template <class Get>
+auto by_node(Get get) {
+    return [get](const CableNet& self) {
+        nb::dict result;
+        for (const ElasticSupport& support : self.elastic_supports()) {
+            result[nb::int_(support.node)] = get(support);
+        }
+        return result;
+    };
+}
+
 }  // namespace
 
 void bind_net(nb::module_& module) {
@@ -242,35 +254,15 @@ Raises:
     net.def_prop_ro("loads", view<&CableNet::loads>(),
                     "External forces, self-weight included (n, 3) [N].");
     net.def_prop_ro(
-        "supports",
-        [](const CableNet& self) {
-            std::vector<int> all = self.supports();
-            for (const ElasticSupport& support : self.elastic_supports()) {
-                all.push_back(support.node);
-            }
-            return array_of(std::move(all));
-        },
+        "supports", [](const CableNet& self) { return array_of(self.all_supports()); },
         "Nodes on the frame: rigid ones, then those with a support_stiffness.");
     net.def_prop_ro(
         "support_stiffness",
-        [](const CableNet& self) {
-            nb::dict result;
-            for (const ElasticSupport& support : self.elastic_supports()) {
-                result[nb::int_(support.node)] = array_of_columns(support.stiffness);
-            }
-            return result;
-        },
+        by_node([](const ElasticSupport& one) { return array_of_columns(one.stiffness); }),
         "Of supports that give way, by node (3, 3) [N/m]. They are among the free nodes.");
-    net.def_prop_ro(
-        "support_place",
-        [](const CableNet& self) {
-            nb::dict result;
-            for (const ElasticSupport& support : self.elastic_supports()) {
-                result[nb::int_(support.node)] = array_of(support.place);
-            }
-            return result;
-        },
-        "Where they stand without load, by node (3,) [m].");
+    net.def_prop_ro("support_place",
+                    by_node([](const ElasticSupport& one) { return array_of(one.place); }),
+                    "Where they stand without load, by node (3,) [m].");
     net.def_prop_ro("free_nodes", view<&CableNet::free_nodes>(), "Free nodes, ascending.");
     net.def_prop_ro("interior_edges", view<&CableNet::interior_edges>(),
                     "Edges of uncertain length, ascending.");
@@ -383,9 +375,8 @@ Raises:
     net.def("__repr__", [](const CableNet& self) {
         return fmt::format(
             "CableNet('{}': {} free nodes, {} supports, {} interior and {} adjustable edges)",
-            self.name(), self.free_node_count() - std::ssize(self.elastic_supports()),
-            self.supports().size() + self.elastic_supports().size(), self.interior_edge_count(),
-            self.adjustable_edges().size());
+            self.name(), self.node_count() - std::ssize(self.all_supports()),
+            self.all_supports().size(), self.interior_edge_count(), self.adjustable_edges().size());
     });
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "net/check_index.hpp"
@@ -18,12 +19,14 @@ namespace taut {
 
 FormTarget::FormTarget(const CableNet& net, Points places, DeviationWeights weights,
                        FormObjective objective)
-    : m_free_nodes(net.free_nodes()), m_places(std::move(places)), m_objective(objective) {
+    : m_places(std::move(places)), m_objective(objective) {
     check_form("target", net.node_count(), m_places);
     m_normals = node_normals(net, m_places);
     m_normal_weight.setConstant(net.node_count(), weights.normal);
     m_tangential_weight.setConstant(net.node_count(), weights.tangential);
-    for (const ElasticSupport& support : net.elastic_supports()) {  // the frame is not adjusted
+    std::ranges::remove_copy_if(net.free_nodes(), std::back_inserter(m_free_nodes),
+                                [&net](int node) { return net.is_support(node); });
+    for (const ElasticSupport& support : net.elastic_supports()) {
         m_normal_weight(support.node) = 0.0;
         m_tangential_weight(support.node) = 0.0;
     }
@@ -189,6 +192,9 @@ std::vector<std::string> target_warnings(const CableNet& net, const FormTarget& 
     int furthest = -1;
     double most = least_shown;
     for (const int node : net.free_nodes()) {
+        if (net.is_support(node)) {
+            continue;
+        }
         const double distance = surface.nearest(net.nodes().col(node)).beyond_border;
         outside += distance > least_shown ? 1 : 0;
         if (distance > most) {

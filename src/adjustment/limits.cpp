@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "adjustment/check_plan.hpp"
-#include "net/all_supports.hpp"
 #include "statics/arguments.hpp"
 
 namespace taut {
@@ -96,7 +95,7 @@ void check_force_limits(const CableNet& net, const Limits& limits) {
                             limit.name, limit.upper));
         }
         for (const int node : limit.supports) {
-            if (node < 0 || node >= net.node_count() || !is_support(net, node)) {
+            if (node < 0 || node >= net.node_count() || !net.is_support(node)) {
                 throw std::invalid_argument(
                     fmt::format("the reaction limit of '{}' names node {}, which is no support",
                                 limit.name, node));

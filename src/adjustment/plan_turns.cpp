@@ -12,7 +12,6 @@
 
 #include "adjustment/tension_targets.hpp"
 #include "adjustment/work_stages.hpp"
-#include "net/all_supports.hpp"
 #include "statics/arguments.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/cable_vibration.hpp"
@@ -144,13 +143,13 @@ std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& tu
 
 ReactionLimit limit_of(const CableNet& net, const ReactionBound& bound) {
     if (!bound.group) {
-        return {.name = "all supports", .supports = all_supports(net), .upper = bound.upper};
+        return {.name = "all supports", .supports = net.all_supports(), .upper = bound.upper};
     }
     ReactionLimit limit{.name = *bound.group, .supports = {}, .upper = bound.upper};
     std::set<int> supports;
     for (const int edge : edges_of_group(net, *bound.group, "reaction")) {
         for (const int node : net.edges()[edge]) {
-            if (is_support(net, node)) {
+            if (net.is_support(node)) {
                 supports.insert(node);
             }
         }

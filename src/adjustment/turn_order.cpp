@@ -16,7 +16,6 @@
 #include "adjustment/order_work.hpp"
 #include "adjustment/station_tour.hpp"
 #include "adjustment/work_stages.hpp"
-#include "net/all_supports.hpp"
 
 namespace taut {
 namespace {
@@ -26,10 +25,10 @@ constexpr int most_passes = 8;
 /// Where a crew stands to turn an edge: its support, else its middle.
 Eigen::Vector3d station_of(const CableNet& net, int edge) {
     const auto [s, t] = net.edges()[edge];
-    if (is_support(net, s)) {
+    if (net.is_support(s)) {
         return net.nodes().col(s);
     }
-    if (is_support(net, t)) {
+    if (net.is_support(t)) {
         return net.nodes().col(t);
     }
     return 0.5 * (net.nodes().col(s) + net.nodes().col(t));

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "net/all_supports.hpp"
 #include "net/weight_as_load.hpp"
 
 namespace taut {
@@ -62,7 +61,7 @@ CommonParameters::CommonParameters(const CableNet& net,
 /// Three translations and three rotations about the middle of the supports. A rotation moves the
 /// farthest support by as much as a translation does.
 void CommonParameters::set_frame(const CableNet& net) {
-    const Points places = places_without_load(net);
+    const Points places = net.support_places();
     m_middle = places.rowwise().mean();
     const double reach = (places.colwise() - m_middle).colwise().norm().maxCoeff();
     m_reach = reach > 0.0 ? reach : 1.0;

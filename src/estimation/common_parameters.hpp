@@ -117,10 +117,11 @@ public:
     [[nodiscard]] Points frame_motion(const Eigen::VectorXd& values) const;
     /// K m of elastic supports, which move by m with the frame (3 x n); 3 x 0: none [N].
     [[nodiscard]] Points frame_loads(const Eigen::VectorXd& values) const;
-    /// By one standard deviation of a parameter (3 x n); 3 x 0: none [N].
-    [[nodiscard]] Points frame_load_rate(int k) const {
+    /// By one standard deviation of a parameter, at a node [N].
+    [[nodiscard]] Eigen::Vector3d frame_load_rate(int k, int node) const {
         const int i = k - first_of_frame();
-        return i >= 0 && i < std::ssize(m_frame_loads) ? m_frame_loads[i] : Points(3, 0);
+        return i >= 0 && i < std::ssize(m_frame_loads) ? Eigen::Vector3d(m_frame_loads[i].col(node))
+                                                       : Eigen::Vector3d::Zero();
     }
 
 private:

@@ -241,13 +241,12 @@ void Linearisation::add_elastic_supports(const Iterate& iterate) {
         const int local = m_model->numbering().local_of[support.node];
         m_matrix->inner.node_stiffness[local] +=
             m_length_unit * m_multiplier_unit * factor * support.stiffness;
+        const Eigen::Vector3d force = forces.col(support.node) - iterate.loads.col(support.node);
         for (int k = 0; k < common.count(); ++k) {
-            Eigen::Vector3d rate =
-                common.support_stiffness_rate(k) * factor * forces.col(support.node);
-            if (const Points of_frame = common.frame_load_rate(k); of_frame.cols() > 0) {
-                rate -= factor * of_frame.col(support.node);
-            }
-            m_matrix->border[k].multipliers.col(local) += m_multiplier_unit * rate;
+            m_matrix->border[k].multipliers.col(local) +=
+                m_multiplier_unit * factor *
+                (common.support_stiffness_rate(k) * force -
+                 common.frame_load_rate(k, support.node));
         }
     }
 }

@@ -145,28 +145,17 @@ Eigen::VectorXd StaticsModel::load_factors(const Iterate& iterate) const {
 
 Points StaticsModel::designed_elastic_forces(const Iterate& iterate) const {
     Points result = elastic_forces(*m_net, iterate.form);
-    const Points by_frame = common.frame_loads(iterate.common);
-    for (const ElasticSupport& support : m_net->elastic_supports()) {
-        result.col(support.node) -= iterate.loads.col(support.node);
-        if (by_frame.cols() > 0) {
-            result.col(support.node) -= by_frame.col(support.node);
-        }
+    if (const Points by_frame = common.frame_loads(iterate.common); by_frame.cols() > 0) {
+        result -= by_frame;
     }
     return result;
 }
 
 Points StaticsModel::imbalance(const Iterate& iterate) const {
-    Points forces = -m_net->loads() - iterate.loads;
+    Points forces = common.support_factor(iterate.common) * designed_elastic_forces(iterate) -
+                    m_net->loads() - iterate.loads * load_factors(iterate).asDiagonal();
     if (const Points change = common.load_change(iterate.common); change.cols() > 0) {
         forces -= change;
-    }
-    if (!m_net->elastic_supports().empty()) {
-        const double factor = common.support_factor(iterate.common);
-        const Points designed = designed_elastic_forces(iterate);
-        for (const ElasticSupport& support : m_net->elastic_supports()) {
-            const int node = support.node;  // whose load is in `designed`
-            forces.col(node) += factor * designed.col(node) + iterate.loads.col(node);
-        }
     }
     for (int e = 0; e < m_net->edge_count(); ++e) {
         if (!slack[e]) {

@@ -118,8 +118,8 @@ public:
     /// What a load of Iterate::loads counts at each node: at an elastic support it stands for an
     /// error of its place, and grows with its stiffness. (elastic-supports) (n).
     [[nodiscard]] Eigen::VectorXd load_factors(const Iterate& iterate) const;
-    /// Forces on the springs of elastic supports as designed, less those by errors of their places
-    /// and by the frame, K (r - r_0 - m) - f; 0 at other nodes (3 x n) [N].
+    /// Forces on the springs of elastic supports as designed, which move with the frame,
+    /// K (r - r_0 - m); 0 at other nodes (3 x n) [N].
     [[nodiscard]] Points designed_elastic_forces(const Iterate& iterate) const;
     /// Out-of-balance forces (3 x n) [N].
     [[nodiscard]] Points imbalance(const Iterate& iterate) const;

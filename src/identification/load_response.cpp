@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "net/all_supports.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -60,7 +59,7 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
             }
         }
     }
-    const Points springs = model.designed_elastic_forces(iterate);
+    const Points springs = model.designed_elastic_forces(iterate) - iterate.loads;
     const double factor = model.common.support_factor(iterate.common);
     for (const ElasticSupport& support : net.elastic_supports()) {
         for (int i = 0; i < 3; ++i) {
@@ -251,7 +250,7 @@ std::vector<int> nodes_to_load(const PlannedFit& planned) {
     by_softness.reserve(net.free_nodes().size());
     Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * net.node_count());
     for (const int node : net.free_nodes()) {
-        if (is_support(net, node)) {
+        if (net.is_support(node)) {
             continue;
         }
         force(3 * node + 2) = 1.0;

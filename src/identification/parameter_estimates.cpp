@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
+#include "estimation/hypotheses.hpp"
 #include "net/weight_as_load.hpp"
 #include "taut/estimation/edge_status.hpp"
 
@@ -252,6 +254,38 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
                           .ratio = spread_ratio({first, last}),
                           .widening = first->prior_std / first->parameter.std});
         first = last;
+    }
+    return result;
+}
+
+std::vector<DisplacedSupport> displaced_supports(const CableNet& net,
+                                                 std::span<const ParameterEstimate> estimates) {
+    constexpr double false_alarm_rate = 0.01;
+    constexpr double least_shown = 0.1;  // of the prior variance
+    struct Found {
+        double squared_distance = 0.0;
+        double std = 0.0;
+        double statistic = 0.0;
+    };
+    std::map<int, Found> found;
+    for (const ParameterEstimate& one : estimates) {
+        if (one.parameter.kind == Kind::supports && net.free_index(one.node) >= 0) {
+            Found& of_node = found[one.node];
+            const double prior = one.prior_std * one.prior_std;
+            const double shown = std::max(prior - one.std * one.std, least_shown * prior);
+            of_node.squared_distance += one.mean * one.mean;
+            of_node.std = std::max(of_node.std, one.std);
+            of_node.statistic = std::max(of_node.statistic, one.mean * one.mean / shown);
+        }
+    }
+    const double threshold = snooping_threshold(false_alarm_rate, 3 * found.size(), 1);
+    std::vector<DisplacedSupport> result;
+    for (const auto& [node, of_node] : found) {
+        if (of_node.statistic > threshold) {
+            result.push_back({.node = node,
+                              .distance = std::sqrt(of_node.squared_distance),
+                              .std = of_node.std});
+        }
     }
     return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "estimation/linearisation.hpp"
@@ -34,5 +35,17 @@ namespace taut {
                                                                  const PriorKnowledge& knowledge,
                                                                  const LinearisedFit& fitted,
                                                                  const Observations& sites);
+
+/// An elastic support that is not where it should stand without load.
+struct DisplacedSupport {
+    int node = -1;
+    double distance = 0.0;  ///< from its place [m]
+    double std = 0.0;       ///< the largest of a coordinate [m]
+};
+
+/// Elastic supports with a coordinate that its prior does not allow, docs/theory.md
+/// (displaced-support). An error of a support's stiffness shows as one, too.
+[[nodiscard]] std::vector<DisplacedSupport> displaced_supports(
+    const CableNet& net, std::span<const ParameterEstimate> estimates);
 
 }  // namespace taut

@@ -12,9 +12,8 @@
 #include <string>
 #include <utility>
 
-#include "estimation/hypotheses.hpp"
 #include "identification/net_balance.hpp"
-#include "net/all_supports.hpp"
+#include "identification/parameter_estimates.hpp"
 #include "net/rounded_length.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/units.hpp"
@@ -543,7 +542,7 @@ private:
             const bool is_far =
                 outlier.swapped_with < 0 &&
                 outlier.distance > far * m_survey.noise_std.col(outlier.node).maxCoeff();
-            const bool is_at_support = is_support(m_net, outlier.node);  // an elastic one
+            const bool is_at_support = m_net.is_support(outlier.node);  // an elastic one
             add({.kind = FindingKind::target,
                  .severity = are_few && !is_at_support ? Verdict::passed : Verdict::doubtful,
                  .ids = {m_net.node_id(outlier.node)},
@@ -707,43 +706,19 @@ private:
         }
     }
 
-    /// Each coordinate of their places without load against its prior: an error of a support's
-    /// stiffness shows as one, too.
     void test_elastic_supports() {
-        constexpr double false_alarm_rate = 0.01;
-        constexpr double least_shown = 0.1;  // of the prior variance
-        const std::vector<ElasticSupport>& supports = m_net.elastic_supports();
-        if (supports.empty()) {
-            return;
-        }
-        const double threshold = snooping_threshold(false_alarm_rate, 3 * supports.size(), 1);
-        for (const ElasticSupport& support : supports) {
-            Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-            double statistic = 0.0;
-            double std = 0.0;
-            for (const ParameterEstimate& one : m_result.uncertain) {
-                if (one.parameter.kind == UncertainParameter::Kind::supports &&
-                    one.node == support.node) {
-                    const double prior = one.prior_std * one.prior_std;
-                    const double shown = prior - one.std * one.std;
-                    shift(one.axis) = one.mean;
-                    std = std::max(std, one.std);
-                    statistic = std::max(
-                        statistic, one.mean * one.mean / std::max(shown, least_shown * prior));
-                }
-            }
-            if (statistic > threshold) {
-                add({.kind = FindingKind::support,
-                     .severity = Verdict::doubtful,
-                     .ids = {m_net.node_id(support.node)},
-                     .value = shift.norm(),
-                     .std = std,
-                     .reason = fmt::format(
-                         "Elastic support {} stands {:.1f} +- {:.1f} mm from its place without "
-                         "load, or its stiffness is not as given. The prior allows less.",
-                         m_net.node_id(support.node), 1e3 * shift.norm(), 1e3 * std),
-                     .next = "Check where it stands without load, and how stiff it is."});
-            }
+        for (const DisplacedSupport& support : displaced_supports(m_net, m_result.uncertain)) {
+            const std::string id = m_net.node_id(support.node);
+            add({.kind = FindingKind::support,
+                 .severity = Verdict::doubtful,
+                 .ids = {id},
+                 .value = support.distance,
+                 .std = support.std,
+                 .reason = fmt::format(
+                     "Elastic support {} stands {:.1f} +- {:.1f} mm from its place without load, "
+                     "or its stiffness is not as given. The prior allows less.",
+                     id, 1e3 * support.distance, 1e3 * support.std),
+                 .next = "Check where it stands without load, and how stiff it is."});
         }
     }
 

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "interchange/form_values.hpp"
-#include "net/all_supports.hpp"
 #include "taut/interchange/compas_json.hpp"
 
 namespace taut {
@@ -18,7 +17,7 @@ ordered_json nodes_json(const CableNet& net, const Points& form) {
     for (int node = 0; node < net.node_count(); ++node) {
         const auto load = net.loads().col(node);
         nodes[std::to_string(node)] = {{"x", form(0, node)}, {"y", form(1, node)},
-                                       {"z", form(2, node)}, {"is_support", is_support(net, node)},
+                                       {"z", form(2, node)}, {"is_support", net.is_support(node)},
                                        {"px", load.x()},     {"py", load.y()},
                                        {"pz", load.z()},     {"name", net.node_id(node)}};
     }

@@ -6,7 +6,6 @@
 
 #include "files/message.hpp"
 #include "interchange/form_values.hpp"
-#include "net/all_supports.hpp"
 #include "taut/files/printable.hpp"
 
 namespace taut {
@@ -68,7 +67,7 @@ std::string form_to_vtk(const CableNet& net, const Points& form) {
     result += scalars("is_slack", "int", m, [&](int e) { return int{values.is_slack(e)}; });
     result += scalars("is_adjustable", "int", m, [&](int e) { return int{adjustable[e]}; });
     result += fmt::format("POINT_DATA {}\n", n);
-    result += scalars("is_support", "int", n, [&](int i) { return is_support(net, i) ? 1 : 0; });
+    result += scalars("is_support", "int", n, [&](int i) { return net.is_support(i) ? 1 : 0; });
     return result + "VECTORS load double\n" + triples(net.loads());
 }
 

@@ -4,7 +4,6 @@
 
 #include "files/csv_field.hpp"
 #include "interchange/form_values.hpp"
-#include "net/all_supports.hpp"
 #include "taut/interchange/net_csv.hpp"
 
 namespace taut {
@@ -18,7 +17,7 @@ NetCsv form_to_net_csv(const CableNet& net, const Points& form) {
         const auto load = net.loads().col(node);
         result.nodes += fmt::format("{},{},{},{},{},0,0,0,{},{},{}\n", csv_field(net.node_id(node)),
                                     form(0, node), form(1, node), form(2, node),
-                                    is_support(net, node) ? 0 : 1, load.x(), load.y(), load.z());
+                                    net.is_support(node) ? 0 : 1, load.x(), load.y(), load.z());
     }
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];

@@ -4,7 +4,6 @@
 
 #include "files/message.hpp"
 #include "interchange/form_values.hpp"
-#include "net/all_supports.hpp"
 #include "taut/files/printable.hpp"
 #include "taut/interchange/obj.hpp"
 
@@ -31,7 +30,7 @@ std::string form_to_obj(const CableNet& net, const Points& form) {
                               values.is_slack(e) ? " slack" : "", s + 1, t + 1);
     }
     result += "g supports\n";
-    for (const int node : all_supports(net)) {
+    for (const int node : net.all_supports()) {
         result += fmt::format("p {}\n", node + 1);
     }
     return result;

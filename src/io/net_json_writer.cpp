@@ -9,7 +9,6 @@
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
 #include "io/net_keys.hpp"
-#include "net/all_supports.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/net_json.hpp"
 
@@ -178,7 +177,7 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
     add("version", std::to_string(net_version));
     add("name", text_text(data.name));
     add("nodes", points_text(data.nodes));
-    add("supports", indices_text(all_supports(data)));
+    add("supports", indices_text(net.all_supports()));
     add("edges", edges_text(data.edges));
     add("axial_stiffness", one_or_all(data.axial_stiffness));
     add("unstressed_lengths", wrapped(data.unstressed_lengths, number_text));

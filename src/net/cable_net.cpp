@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -167,6 +168,29 @@ void CableNet::list_edges_at_nodes() {
 void CableNet::refuse_index(const char* what, int index, std::size_t count) {
     throw std::out_of_range(fmt::format("{} {}, expected 0 to {}", what, index,
                                         static_cast<std::ptrdiff_t>(count) - 1));
+}
+
+std::vector<int> CableNet::all_supports() const {
+    std::vector<int> result = m_data.supports;
+    std::ranges::transform(m_data.elastic_supports, std::back_inserter(result),
+                           &ElasticSupport::node);
+    return result;
+}
+
+Points CableNet::support_places() const {
+    const auto rigid = std::ssize(m_data.supports);
+    Points result(3, rigid + std::ssize(m_data.elastic_supports));
+    result.leftCols(rigid) = m_data.nodes(Eigen::all, m_data.supports);
+    for (Eigen::Index i = rigid; i < result.cols(); ++i) {
+        result.col(i) = m_data.elastic_supports[static_cast<size_t>(i - rigid)].place;
+    }
+    return result;
+}
+
+bool CableNet::is_support(int node) const {
+    return free_index(node) < 0 ||
+           std::ranges::find(m_data.elastic_supports, node, &ElasticSupport::node) !=
+               m_data.elastic_supports.end();
 }
 
 int CableNet::interior_index(int edge) const {

@@ -44,8 +44,8 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
                        .data();
         }
         data.nodes = result.form;
-        for (ElasticSupport& support : data.elastic_supports) {
-            if (result.frame_offset) {
+        if (result.frame_offset) {
+            for (ElasticSupport& support : data.elastic_supports) {
                 support.place += result.frame_offset->motion_of(support.place).col(0);
             }
         }

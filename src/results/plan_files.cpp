@@ -9,7 +9,6 @@
 #include <map>
 
 #include "files/csv_field.hpp"
-#include "net/all_supports.hpp"
 #include "results/document_parts.hpp"
 #include "taut/files/printable.hpp"
 
@@ -19,7 +18,7 @@ namespace {
 /// Nothing too where the edge does not have one support, from which a rotation is seen.
 std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
     const auto [s, t] = record.net->edges()[edge];
-    if (is_support(*record.net, s) == is_support(*record.net, t)) {
+    if (record.net->is_support(s) == record.net->is_support(t)) {
         return std::nullopt;
     }
     const std::vector<int>& adjustable = record.net->adjustable_edges();
@@ -35,7 +34,7 @@ std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
 
 std::string support_id(const CableNet& net, int edge) {
     for (const int node : net.edges()[edge]) {
-        if (is_support(net, node)) {
+        if (net.is_support(node)) {
             return net.node_id(node);
         }
     }

@@ -12,7 +12,6 @@
 #include "files/csv_field.hpp"
 #include "files/parse_number.hpp"
 #include "files/xlsx_writer.hpp"
-#include "net/all_supports.hpp"
 #include "results/document_parts.hpp"
 #include "taut/files/input_error.hpp"
 
@@ -142,7 +141,7 @@ XlsxSheet sheet_of_nodes(const IdentificationResult& result) {
     for (int n = 0; n < result.net.node_count(); ++n) {
         const Eigen::Vector3d place = result.form.col(n);
         sheet.rows.push_back({name_cell(result.net.node_id(n)),
-                              is_support(result.net, n) ? "support" : "free",
+                              result.net.is_support(n) ? "support" : "free",
                               place.x(),
                               place.y(),
                               place.z(),

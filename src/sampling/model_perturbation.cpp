@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "net/all_supports.hpp"
 #include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
 
@@ -68,7 +67,7 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                 break;
             }
             case UncertainParameter::Kind::supports:
-                for (const int node : all_supports(net)) {
+                for (const int node : net.all_supports()) {
                     for (double& coordinate : result.supports.col(node)) {
                         coordinate = parameter.std * random.normal();
                     }

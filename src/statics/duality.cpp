@@ -24,13 +24,13 @@ constexpr double slack_share = 1e-6;
 constexpr double negligible_strain = 1e-6;
 
 /// Forces that edges exert, and forces on the springs of elastic supports, 0 at other nodes [N].
-struct Forces {
+struct BalancingForces {
     Points edges;    ///< 3 x m
     Points springs;  ///< 3 x n
 };
 
 /// sum_(s,t) f - sum_(t,s) f + g - p_s of the free nodes (n_I x 3) [N].
-Eigen::MatrixX3d imbalance(const CableNet& net, const Forces& of) {
+Eigen::MatrixX3d imbalance(const CableNet& net, const BalancingForces& of) {
     Points forces = of.springs - net.loads();
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
@@ -45,7 +45,7 @@ Eigen::MatrixX3d imbalance(const CableNet& net, const Forces& of) {
 /// requires C y = h with the imbalance h and the Laplacian C of the net weighted by c. A spring
 /// counts as an edge to a support, with its mean stiffness. C is positive definite, since a path of
 /// edges joins every node to a support.
-void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Forces& forces) {
+void balance(const CableNet& net, const Eigen::VectorXd& stiffness, BalancingForces& forces) {
     const auto mean_of = [](const ElasticSupport& one) { return one.stiffness.trace() / 3.0; };
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * net.edges().size());
@@ -141,7 +141,7 @@ EnergyCertificate certify_states(const CableNet& net,
                                  const Eigen::Ref<const Points>& form,
                                  const std::vector<EdgeState>& states, Points edge_forces) {
     const Points springs = elastic_forces(net, form);
-    Forces forces{.edges = std::move(edge_forces), .springs = springs};
+    BalancingForces forces{.edges = std::move(edge_forces), .springs = springs};
     Eigen::VectorXd stiffness =
         slack_share * net.axial_stiffness().cwiseQuotient(unstressed_lengths);
     for (int e = 0; e < net.edge_count(); ++e) {

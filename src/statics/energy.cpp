@@ -51,6 +51,9 @@ Eigen::VectorXd out_of_balance_forces(const CableNet& net,
 }
 
 CableNet with_supports_in_balance(const CableNet& net) {
+    if (net.elastic_supports().empty()) {
+        return net;
+    }
     const Eigen::VectorXd forces =
         out_of_balance_forces(net, net.unstressed_lengths(), net.nodes());
     CableNetData data = net.data();

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "statics/local_net.hpp"
 
-#include "net/all_supports.hpp"
-
 namespace taut {
 namespace {
 
@@ -49,7 +47,7 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     local.laws = net.data().tension_laws;
     local.law_of_edge = net.data().tension_law;
     local.supports = net.nodes()(Eigen::all, net.supports());
-    const Points places = places_without_load(net);
+    const Points places = net.support_places();
     const Eigen::Vector3d middle = places.rowwise().mean();
     local.reach = reach_of(net, places, middle);
     Eigen::Matrix3Xd from_middle = net.nodes().colwise() - middle;

@@ -27,7 +27,7 @@ struct LocalNet {
     std::vector<TensionLaw> laws;     ///< of the net
     std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; empty if all are
     Eigen::VectorXd loads;            ///< 3 free_count [N]
-    std::vector<Spring> springs;
+    std::vector<Spring> springs;      ///< of elastic supports
     /// Subtracted from all coordinates. The middle of the supports if the net lies so far from zero
     /// (as in a national grid) that rounding errors of its coordinates would matter; else zero [m].
     Eigen::Vector3d origin;

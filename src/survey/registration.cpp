@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 
-#include "net/all_supports.hpp"
 #include "numerics/small_dense.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "survey/node_names.hpp"
@@ -95,7 +94,7 @@ std::vector<ControlPoint> support_control_points(const CableNet& net,
                                                  const std::vector<SurveyPoint>& points) {
     std::map<std::string, int> support_of;
     constexpr size_t fewest = 3;  // that fix a frame: else elastic ones must, where they stand
-    for (const int node : net.supports().size() < fewest ? all_supports(net) : net.supports()) {
+    for (const int node : net.supports().size() < fewest ? net.all_supports() : net.supports()) {
         support_of.emplace(net.node_id(node), node);
     }
     std::vector<ControlPoint> control;

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "net/all_supports.hpp"
 #include "numerics/boost_random.hpp"
 #include "taut/survey/registration.hpp"
 #include "taut/survey/target_offsets.hpp"
@@ -95,7 +94,7 @@ std::vector<SurveyPoint> simulate_survey(const CableNet& net, const Points& form
     std::vector<SurveyPoint> points;
     const auto survey = [&](int node, bool named) {
         SurveyPoint point{.id = named ? net.node_id(node) : "", .position = form.col(node)};
-        if (has_offsets && !is_support(net, node)) {
+        if (has_offsets && !net.is_support(node)) {
             const double own = simulation.offset_std > 0.0 ? dice.normal() : 0.0;
             point.position += (simulation.offset + simulation.offset_std * own) * normals.col(node);
         }

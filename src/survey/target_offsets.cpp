@@ -13,7 +13,6 @@
 #include <tuple>
 #include <vector>
 
-#include "net/all_supports.hpp"
 #include "numerics/dense.hpp"
 #include "taut/net/units.hpp"
 
@@ -191,7 +190,7 @@ void take_off_offsets(const CableNet& net, const TargetOffsets& offsets, Survey&
     std::vector<std::string> without;
     for (const PlacedPoint& point : survey.placed) {
         const auto offset = offset_of(offsets, point);
-        if (!offset || is_support(net, point.node)) {
+        if (!offset || net.is_support(point.node)) {
             continue;
         }
         const Eigen::Vector3d normal = normals.col(point.node);

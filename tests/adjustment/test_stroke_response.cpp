@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "net/all_supports.hpp"
 #include "support/finite_differences.hpp"
 #include "support/random_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -18,7 +17,7 @@ namespace {
 /// Rates of forms and forces against differences of exact equilibria.
 void expect_rates(const CableNet& net, const Eigen::VectorXd& lengths, double tolerance) {
     StrokeResponse response(net, net.adjustable_edges(),
-                            {net.supports()[1], all_supports(net).back()});
+                            {net.supports()[1], net.all_supports().back()});
     const Eigen::VectorXd none =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
     const StrokedNet at = response.at(lengths, none, net.nodes());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { counted, excludedTargets, fixed, millimetres, number, rootMeanSquare, short } from "./format";
-import { controlOf, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, statusOf } from "./result";
+import { controlOf, type Identification, type IdentifiedEdge, isElastic, isNotDetermined, isSlack, lengthOf, statusOf } from "./result";
 import { ellipseWords, nameOf, netWords, priorWords, type Summary } from "./summary_words";
 
 const methodNames: Record<string, string> = {
@@ -80,8 +80,9 @@ function tensionWords(result: Identification): string {
 }
 
 /** What tensions depend on and is no uncertain parameter. */
-function assumedWords({ uncertain = [] }: Identification): string {
-  const exact = ["stiffness", "loads", "supports"].filter((name) => !uncertain.some((one) => one.name === name));
+function assumedWords({ cable_net, uncertain = [] }: Identification): string {
+  const names = ["stiffness", "loads", "supports", ...(cable_net.supports.some((_, i) => isElastic(cable_net, i)) ? ["support-stiffness"] : [])];
+  const exact = names.filter((name) => !uncertain.some((one) => one.name === name));
   if (exact.length === 0) return "";
   return `, if ${exact.length === 1 ? exact[0] : `${exact.slice(0, -1).join(", ")} and ${exact.at(-1)}`} are as designed`;
 }

@@ -4,7 +4,7 @@
 import { palette, type Rgb } from "./colours";
 import { type Covariances, ellipseRemarks, semiMajorAxes, uncertainNodes } from "./error_ellipses";
 import { number } from "./format";
-import { type Identification, isSlack, lengthOf, type NetFile, type Status, statusOf, type Study } from "./result";
+import { type Identification, isElastic, isSlack, lengthOf, type NetFile, type Status, statusOf, type Study } from "./result";
 
 /** A number for each edge or node, in the unit it is shown in; NaN where there is none. */
 export interface Quantity {
@@ -99,11 +99,6 @@ function marks(count: number, indices: number[]): Uint8Array {
   return result;
 }
 
-/** Keys of a net that results do not describe: a stiffness, or null, of each support. */
-interface WithSprings extends NetFile {
-  support_stiffness?: unknown[];
-}
-
 export function netOf(net: NetFile, form: [number, number, number][]): Model {
   const isAdjustable = marks(net.edges.length, net.adjustable);
   return {
@@ -111,7 +106,7 @@ export function netOf(net: NetFile, form: [number, number, number][]): Model {
     edgeCount: net.edges.length,
     ends: Uint32Array.from(net.edges.flat()),
     isSupport: marks(net.nodes.length, net.supports),
-    isFixed: marks(net.nodes.length, net.supports.filter((_, i) => ((net as WithSprings).support_stiffness?.[i] ?? null) === null)),
+    isFixed: marks(net.nodes.length, net.supports.filter((_, i) => !isElastic(net, i))),
     isAdjustable,
     charted: net.edges.map((_, e) => e).filter((e) => !isAdjustable[e]),
     form: flat(form),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import type { ControlResidual, Identification, IdentifiedEdge, Method, Result, Study } from "./result_schema";
+import type { ControlResidual, Identification, IdentifiedEdge, Method, NetFile, Result, Study } from "./result_schema";
 
 // The results as taut writes them (docs/files.md), in SI units. taut has checked them before it
 // made the page.
@@ -43,4 +43,9 @@ export function readResult(text: string): Result {
   if (!known.includes(result?.format)) throw new Error(`its format is ${String(result?.format)}, expected one of ${known.join(", ")}`);
   if (result.version !== 2) throw new Error(`its version is ${String((result as Result).version)}, expected 2`);
   return result;
+}
+
+/** Whether the i-th support gives way. Its stiffness is a key of a net that the schema of results does not describe. */
+export function isElastic(net: NetFile, i: number): boolean {
+  return ((net as { support_stiffness?: unknown[] }).support_stiffness?.[i] ?? null) !== null;
 }

@@ -111,7 +111,7 @@ private:
     void check_weights() const;
     void check_nearness(const CableNet& net) const;
 
-    std::vector<int> m_free_nodes;
+    std::vector<int> m_free_nodes;  ///< but elastic supports: the frame is not adjusted
     std::shared_ptr<const TargetSurface> m_surface;
     Points m_designed;  ///< of a surface
     Points m_places;

@@ -168,7 +168,15 @@ public:
     [[nodiscard]] const std::vector<ElasticSupport>& elastic_supports() const {
         return m_data.elastic_supports;
     }
-    /// Position of a node in free_nodes(), or -1 for a support.
+    /// Those on the rigid frame, then the elastic ones.
+    [[nodiscard]] std::vector<int> all_supports() const;
+    /// Places of all_supports(), of the elastic ones without load (3 x count) [m].
+    [[nodiscard]] Points support_places() const;
+    /// Whether a node is one of all_supports().
+    /// @param node 0 to node_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] bool is_support(int node) const;
+    /// Position of a node in free_nodes(), or -1 for a support on the rigid frame.
     /// @param node 0 to node_count() - 1
     /// @throws std::out_of_range for another
     [[nodiscard]] int free_index(int node) const {

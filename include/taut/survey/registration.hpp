@@ -28,7 +28,8 @@ struct ControlPoint {
 [[nodiscard]] TAUT_CORE_EXPORT Registration
 register_rigidly(const std::vector<ControlPoint>& points);
 
-/// The points named after supports of the net, as control points.
+/// The points named after supports of the net, as control points: rigid ones, and elastic ones at
+/// their nodes where fewer than three are rigid.
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<ControlPoint> support_control_points(
     const CableNet& net, const std::vector<SurveyPoint>& points);
 
