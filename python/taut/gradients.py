@@ -60,8 +60,8 @@ def net_vjp(
     Returns:
         The form (n, 3) [m], and a function of a cotangent (n, 3) that gives a dict of gradients by
             the net's `unstressed_lengths` (m,), `axial_stiffness` (m,; 0 for an edge with a
-            tension law), `loads` (n, 3; 0 at supports) and `nodes` (n, 3; the places of supports, of
-            elastic ones without load; 0 at other nodes).
+            tension law), `loads` (n, 3; 0 at supports) and `nodes` (n, 3; the places of supports,
+            of elastic ones without load; 0 at other nodes).
 
     Raises and warns as form_vjp does.
     """
