@@ -58,22 +58,25 @@ struct Found {
     double out_of_balance;
     double mean_tension;
     std::vector<int> slack_edges;
-    EnergyCertificate certificate;
+    FormCheck check;
     nlohmann::ordered_json details;  ///< of this solver only
 };
 
 Found find_by_newton(const FormOptions& options, const CableNet& net) {
     Equilibrium e = solve_equilibrium(net);
     if (!e.balanced()) {
-        throw NumericalFailure(
-            fmt::format("{}: no equilibrium was found: {}", options.net, equilibrium_text(e)));
+        const char* const what =
+            e.status == EquilibriumStatus::unstable
+                ? "the equilibrium is not stable, struts give way at the least disturbance"
+                : "no equilibrium was found";
+        throw NumericalFailure(fmt::format("{}: {}: {}", options.net, what, equilibrium_text(e)));
     }
     std::string text = equilibrium_text(e);
     if (e.status == EquilibriumStatus::slack_mechanism) {
         text +=
             "\nslack edges leave some nodes free to move: their places are one solution of many";
     }
-    const EnergyCertificate certificate = certify(net, net.unstressed_lengths(), e.form);
+    const FormCheck check = check_form(net, e.form);
     return {.form = std::move(e.form),
             .status = std::string(to_string(e.status)),
             .text = text,
@@ -81,7 +84,7 @@ Found find_by_newton(const FormOptions& options, const CableNet& net) {
             .out_of_balance = e.out_of_balance,
             .mean_tension = e.mean_tension,
             .slack_edges = std::move(e.slack_edges),
-            .certificate = certificate,
+            .check = check,
             .details = {}};
 }
 
@@ -105,7 +108,7 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
             .out_of_balance = balance.largest,
             .mean_tension = balance.mean_tension,
             .slack_edges = slack_edges(net, lengths, s.form),
-            .certificate = certify(net, lengths, s.form, s.edge_forces),
+            .check = check_form(net, s.form, s.edge_forces),
             .details = {{"form", to_string(cone_form)},
                         {"primal_objective", s.primal_objective},
                         {"dual_objective", s.dual_objective},
@@ -127,7 +130,7 @@ nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, 
                                     {"largest_move", move},
                                     {"slack_edges", found.slack_edges},
                                     {"warnings", warnings}};
-    add_certificate(document, found.certificate);
+    add_check(document, found.check);
     if (!found.details.is_null()) {
         document["cone_program"] = found.details;
     }
@@ -144,6 +147,10 @@ void run(const FormOptions& options) {
     check_outputs({options.output, options.lengths}, {options.net, options.turned});
     const std::vector<std::string> warnings = unit_warnings(designed);
     warn(options.net, warnings);
+    if (options.solver == "socp" && net.has_struts()) {
+        throw InputError(options.net, "",
+                         "has struts: its energy is not convex, expected --solver newton");
+    }
     const Found found = options.solver == "socp" ? find_by_cone_program(options, net)
                                                  : find_by_newton(options, net);
     std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -159,7 +166,7 @@ void run(const FormOptions& options) {
         say("{}\n", to_text(to_json(options, net, found, move, warnings)));
         return;
     }
-    say("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));
+    say("{}\n{}\n{}\n", counts_text(net), found.text, check_text(found.check));
     say("largest distance of a node from its nominal place: {:.4g} mm\nslack edges: {}\n",
         1e3 * move, edges_text(net, found.slack_edges));
     for (const auto& [file, content] : files) {

@@ -68,9 +68,9 @@ struct Inspection {
     std::vector<int> slack_edges;  ///< at the given nodes
     Eigen::Vector3d load;          ///< sum over the free nodes [N]
     Equilibrium equilibrium;
-    EnergyCertificate certificate;  ///< of the equilibrium
-    double move;                    ///< largest distance from a given node to its equilibrium [m]
-    Analysis analysis;              ///< of the equilibrium
+    FormCheck check;    ///< of the equilibrium
+    double move;        ///< largest distance from a given node to its equilibrium [m]
+    Analysis analysis;  ///< of the equilibrium
     std::vector<std::string> warnings;
 };
 
@@ -105,23 +105,24 @@ Inspection inspect(const CableNet& net) {
     const Eigen::VectorXd edge_tensions = tensions(net, unstressed, net.nodes());
     Equilibrium equilibrium = solve_equilibrium(net);
     Analysis analysis = analyse(net, equilibrium);
-    const EnergyCertificate certificate = certify(net, unstressed, equilibrium.form);
+    Eigen::VectorXd strains = lengths.cwiseQuotient(unstressed).array() - 1.0;
+    strains = (edge_tensions.array() == 0.0).select(0.0, strains);
+    const FormCheck check = check_form(net, equilibrium.form);
     const double move = (equilibrium.form - net.nodes()).colwise().norm().maxCoeff();
-    return {
-        .lower = net.nodes().rowwise().minCoeff(),
-        .upper = net.nodes().rowwise().maxCoeff(),
-        .lengths = range_of(lengths),
-        .unstressed_lengths = range_of(unstressed),
-        .tensions = range_of(edge_tensions),
-        .strains = range_of((lengths.array() / unstressed.array() - 1.0).cwiseMax(0.0).matrix()),
-        .imbalance = imbalance(net, unstressed, net.nodes()),
-        .slack_edges = slack_edges(net, unstressed, net.nodes()),
-        .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
-        .equilibrium = std::move(equilibrium),
-        .certificate = certificate,
-        .move = move,
-        .analysis = std::move(analysis),
-        .warnings = unit_warnings(net)};
+    return {.lower = net.nodes().rowwise().minCoeff(),
+            .upper = net.nodes().rowwise().maxCoeff(),
+            .lengths = range_of(lengths),
+            .unstressed_lengths = range_of(unstressed),
+            .tensions = range_of(edge_tensions),
+            .strains = range_of(strains),
+            .imbalance = imbalance(net, unstressed, net.nodes()),
+            .slack_edges = slack_edges(net, unstressed, net.nodes()),
+            .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
+            .equilibrium = std::move(equilibrium),
+            .check = check,
+            .move = move,
+            .analysis = std::move(analysis),
+            .warnings = unit_warnings(net)};
 }
 
 nlohmann::ordered_json to_json(const Eigen::Vector3d& v) {
@@ -164,7 +165,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const Inspection& it) {
                                        {"mean_tension", it.equilibrium.mean_tension},
                                        {"largest_move", it.move},
                                        {"slack_edges", it.equilibrium.slack_edges}};
-    add_certificate(equilibrium, it.certificate);
+    add_check(equilibrium, it.check);
     nlohmann::ordered_json document{
         {"format", "taut-inspection"},
         {"version", 1},
@@ -228,7 +229,7 @@ void print(const CableNet& net, const Inspection& it) {
     say("  slack edges: {}\n", edges_text(net, it.slack_edges));
     say("\n");
     say("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
-    say("  {}\n", certificate_text(it.certificate));
+    say("  {}\n", check_text(it.check));
     say("  largest distance of a node from its given place: {:.4g} mm\n", 1e3 * it.move);
     say("  slack edges: {}\n\n", edges_text(net, it.equilibrium.slack_edges));
     print(net, it.analysis);

@@ -6,15 +6,19 @@
 
 #include <algorithm>
 
+#include "taut/statics/energy.hpp"
+#include "taut/statics/stability.hpp"
+
 namespace taut::app {
 
 std::string counts_text(const CableNet& net) {
     const size_t elastic = net.elastic_supports().size();
+    const auto struts = std::ranges::count(net.data().kind, EdgeKind::strut);
     return fmt::format(
-        "net {}: {} free nodes{}, {} {}supports, {} interior and {} adjustable edges", net.name(),
+        "net {}: {} free nodes{}, {} {}supports, {} interior and {} adjustable edges{}", net.name(),
         net.free_node_count(), elastic > 0 ? fmt::format(" ({} elastic supports)", elastic) : "",
         net.supports().size(), elastic > 0 ? "rigid " : "", net.interior_edge_count(),
-        net.adjustable_edges().size());
+        net.adjustable_edges().size(), struts > 0 ? fmt::format(" ({} struts)", struts) : "");
 }
 
 nlohmann::ordered_json counts_json(const CableNet& net) {
@@ -28,10 +32,11 @@ nlohmann::ordered_json counts_json(const CableNet& net) {
 
 std::string equilibrium_text(const Equilibrium& equilibrium) {
     // Not the status "iteration limit": a search may end before it.
-    return fmt::format("{} after {} iterations, {}",
-                       equilibrium.balanced() ? to_string(equilibrium.status) : "not balanced",
-                       equilibrium.iterations,
-                       balance_text(equilibrium.out_of_balance, equilibrium.mean_tension));
+    return fmt::format(
+        "{} after {} iterations, {}",
+        equilibrium.status == EquilibriumStatus::iteration_limit ? "not balanced"
+                                                                 : to_string(equilibrium.status),
+        equilibrium.iterations, balance_text(equilibrium.out_of_balance, equilibrium.mean_tension));
 }
 
 std::string balance_text(double out_of_balance, double mean_tension) {
@@ -43,17 +48,40 @@ std::string balance_text(double out_of_balance, double mean_tension) {
     return text;
 }
 
-std::string certificate_text(const EnergyCertificate& certificate) {
-    return fmt::format(
-        "energy {:.6g} J, above the lowest by at most {:.1g} J ({:.1g} of the elastic energy)",
-        certificate.energy, certificate.duality_gap, certificate.relative_gap);
+FormCheck check_form(const CableNet& net, const Points& form, const Points& edge_forces) {
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    if (net.has_struts()) {
+        return {.energy = energy(net, lengths, form),
+                .smallest_stiffness = smallest_stiffness(net, lengths, form)};
+    }
+    const EnergyCertificate certificate = edge_forces.cols() > 0
+                                              ? certify(net, lengths, form, edge_forces)
+                                              : certify(net, lengths, form);
+    return {.energy = certificate.energy, .certificate = certificate};
 }
 
-void add_certificate(nlohmann::ordered_json& document, const EnergyCertificate& certificate) {
-    document["energy"] = certificate.energy;
-    document["complementary_energy"] = certificate.complementary_energy;
-    document["duality_gap"] = certificate.duality_gap;
-    document["relative_gap"] = certificate.relative_gap;
+std::string check_text(const FormCheck& check) {
+    if (check.certificate) {
+        return fmt::format(
+            "energy {:.6g} J, above the lowest by at most {:.1g} J ({:.1g} of the elastic energy)",
+            check.energy, check.certificate->duality_gap, check.certificate->relative_gap);
+    }
+    return fmt::format(
+        "energy {:.6g} J; smallest stiffness against any motion {:.4g} N/m{}. With struts other "
+        "forms may be stable, too",
+        check.energy, check.smallest_stiffness,
+        check.smallest_stiffness > 0.0 ? ": stable" : ": not stable");
+}
+
+void add_check(nlohmann::ordered_json& document, const FormCheck& check) {
+    document["energy"] = check.energy;
+    if (check.certificate) {
+        document["complementary_energy"] = check.certificate->complementary_energy;
+        document["duality_gap"] = check.certificate->duality_gap;
+        document["relative_gap"] = check.certificate->relative_gap;
+    } else {
+        document["smallest_stiffness"] = check.smallest_stiffness;
+    }
 }
 
 std::string edges_text(const CableNet& net, const std::vector<int>& edges) {

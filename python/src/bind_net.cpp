@@ -73,7 +73,8 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::map<std::string, ArrayLike>& runs,
               const std::optional<ArrayLike>& bending_stiffness,
               const std::map<int, ArrayLike>& support_stiffness,
-              const std::variant<std::string, std::map<int, ArrayLike>>& support_place) {
+              const std::variant<std::string, std::map<int, ArrayLike>>& support_place,
+              const Names& kind, const std::optional<ArrayLike>& buckling_load) {
     CableNetData data;
     data.name = name;
     data.nodes = points_argument(nodes, "nodes", -1);
@@ -103,6 +104,21 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
     data.expansion = of_edges(expansion, "expansion");
     data.breaking_load = of_edges(breaking_load, "breaking_load");
     data.bending_stiffness = of_edges(bending_stiffness, "bending_stiffness");
+    for (const std::string& one : kind) {
+        if (one != "cable" && one != "strut") {
+            throw nb::value_error(
+                fmt::format("kind: got '{}', expected 'cable' or 'strut'", one).c_str());
+        }
+        data.kind.push_back(one == "strut" ? EdgeKind::strut : EdgeKind::cable);
+    }
+    if (buckling_load) {
+        data.buckling_load = vector_or_number(*buckling_load, "buckling_load", count);
+        for (int e = 0; numbers(*buckling_load, "buckling_load").ndim() == 0 && e < count; ++e) {
+            if (e >= std::ssize(data.kind) || data.kind[e] != EdgeKind::strut) {
+                data.buckling_load(e) = std::numeric_limits<double>::infinity();
+            }
+        }
+    }
     for (const std::string& one : thread) {
         data.thread.push_back(thread_named(one));
     }
@@ -192,7 +208,8 @@ void bind_net(nb::module_& module) {
             nb::arg("thread") = Names(), nb::arg("runs") = std::map<std::string, ArrayLike>(),
             nb::arg("bending_stiffness") = nb::none(),
             nb::arg("support_stiffness") = std::map<int, ArrayLike>(),
-            nb::arg("support_place") = std::map<int, ArrayLike>(),
+            nb::arg("support_place") = std::map<int, ArrayLike>(), nb::arg("kind") = Names(),
+            nb::arg("buckling_load") = nb::none(),
             R"(Checks every rule of a net.
 
 Args:
@@ -220,6 +237,9 @@ Args:
         matrix (3, 3) [N/m].
     support_place: where they stand without load, by node (3,) [m], by default their place in
         `nodes`; or 'balanced': such that they are in balance in the nominal form.
+    kind: 'cable' or 'strut' of each edge, by default all cables. A strut carries compression, too.
+    buckling_load: of struts (m,), infinite where not known and at cables, or one number for all
+        struts [N].
 
 Raises:
     NetError: naming the place, the value and the rule.
@@ -263,6 +283,19 @@ Raises:
     net.def_prop_ro("support_place",
                     by_node([](const ElasticSupport& one) { return array_of(one.place); }),
                     "Where they stand without load, by node (3,) [m].");
+    net.def_prop_ro(
+        "kind",
+        [](const CableNet& self) {
+            Names kinds;
+            for (int e = 0; e < self.edge_count(); ++e) {
+                kinds.emplace_back(self.is_strut(e) ? "strut" : "cable");
+            }
+            return kinds;
+        },
+        "'cable' or 'strut' of each edge.");
+    net.def_prop_ro(
+        "buckling_load", [](const CableNet& self) { return array_of(self.data().buckling_load); },
+        "Of struts, infinite where not known (m,), or empty [N].");
     net.def_prop_ro("free_nodes", view<&CableNet::free_nodes>(), "Free nodes, ascending.");
     net.def_prop_ro("interior_edges", view<&CableNet::interior_edges>(),
                     "Edges of uncertain length, ascending.");

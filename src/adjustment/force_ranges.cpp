@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "adjustment/force_ranges.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "net/weight_as_load.hpp"
@@ -23,7 +24,20 @@ std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions) {
 
 double least_taut(const CableNet& net) {
     const Eigen::VectorXd pull = tensions(net, net.unstressed_lengths(), net.nodes());
-    return 2.0 * negligible_violation * pull.mean();
+    return 2.0 * negligible_violation * mean_weights(net).dot(pull);
+}
+
+double carried(const CableNet& net, Eigen::Index row, double force) {
+    const bool is_cable = row < net.edge_count() && !net.is_strut(static_cast<int>(row));
+    return is_cable ? std::max(0.0, force) : force;
+}
+
+Eigen::VectorXd carried_tensions(const CableNet& net, const Eigen::VectorXd& forces) {
+    Eigen::VectorXd tensions(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        tensions(e) = carried(net, e, forces(e));
+    }
+    return tensions;
 }
 
 double given_limit(const CableNet& net, double limit) {

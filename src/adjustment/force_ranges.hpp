@@ -23,6 +23,11 @@ inline constexpr double negligible_violation = 1e-5;
 [[nodiscard]] ForceRange range_of(const CableNet& net, const TensionLimits& tension,
                                   const std::vector<ReactionLimit>& reactions);
 
+/// What a row of StrokedNet::forces carries: nothing where a cable would be pressed.
+[[nodiscard]] double carried(const CableNet& net, Eigen::Index row, double force);
+/// The same of all edges (m) [N].
+[[nodiscard]] Eigen::VectorXd carried_tensions(const CableNet& net, const Eigen::VectorXd& forces);
+
 /// A limit of range_of() as it was given.
 [[nodiscard]] double given_limit(const CableNet& net, double limit);
 

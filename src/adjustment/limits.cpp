@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -21,12 +22,14 @@ void check_tension_limits(const CableNet& net, const TensionLimits& limits) {
                                                 net.edge_count()));
     }
     for (int e = 0; e < net.edge_count(); ++e) {
-        if (!(limits.lower(e) >= 0.0) || !(limits.upper(e) > limits.lower(e)) ||
-            std::isinf(limits.lower(e))) {
+        const bool is_strut = net.is_strut(e);
+        if (!(is_strut || limits.lower(e) >= 0.0) || !(limits.upper(e) > limits.lower(e)) ||
+            limits.lower(e) == std::numeric_limits<double>::infinity()) {
             throw std::invalid_argument(
-                fmt::format("the tension limits of edge '{}' are {:g} and {:g} N, expected a lower "
-                            "limit of at least 0 and an upper limit above it",
-                            net.edge_id(e), limits.lower(e), limits.upper(e)));
+                fmt::format("the tension limits of {} '{}' are {:g} and {:g} N, expected a lower "
+                            "limit{} and an upper limit above it",
+                            is_strut ? "strut" : "edge", net.edge_id(e), limits.lower(e),
+                            limits.upper(e), is_strut ? "" : " of at least 0"));
         }
     }
 }
@@ -62,14 +65,23 @@ void check_strokes(const CableNet& net, const std::vector<int>& edges, const Lim
 }  // namespace
 
 TensionLimits TensionLimits::no_slack(const CableNet& net) {
-    return {.lower = Eigen::VectorXd::Zero(net.edge_count()),
-            .upper = Eigen::VectorXd::Constant(net.edge_count(),
-                                               std::numeric_limits<double>::infinity())};
+    TensionLimits limits{.lower = Eigen::VectorXd::Zero(net.edge_count()),
+                         .upper = Eigen::VectorXd::Constant(
+                             net.edge_count(), std::numeric_limits<double>::infinity())};
+    const Eigen::VectorXd& buckling = net.data().buckling_load;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (net.is_strut(e)) {
+            limits.lower(e) =
+                buckling.size() > 0 ? -buckling(e) : -std::numeric_limits<double>::infinity();
+        }
+    }
+    return limits;
 }
 
 bool Limits::has_forces() const {
-    return tension.lower.maxCoeff() > 0.0 || std::isfinite(tension.upper.minCoeff()) ||
-           !reactions.empty() || !load_cases.empty();
+    const auto is_given = [](double lower) { return lower != 0.0 && std::isfinite(lower); };
+    return std::ranges::any_of(tension.lower, is_given) ||
+           std::isfinite(tension.upper.minCoeff()) || !reactions.empty() || !load_cases.empty();
 }
 
 Limits limits_of_stroke(const CableNet& net, size_t edges, double stroke) {

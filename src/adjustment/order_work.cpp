@@ -226,7 +226,7 @@ LimitBreach OrderWork::breach(Eigen::Index row, double force, bool is_below) con
                     ? static_cast<int>(row)
                     : supports_of(m_limits->reactions)[static_cast<size_t>(row - net.edge_count())],
             .load_case = "",
-            .value = is_edge ? std::max(0.0, force) : force,
+            .value = carried(net, row, force),
             .limit = is_below ? given_limit(net, range.lower(row)) : range.upper(row),
             .probability = 0.0};
 }

@@ -402,7 +402,7 @@ private:
         plan.as_built = deviation(m_as_built);
         plan.planned = deviation(state);
         plan.form = form_of(state);
-        plan.tensions = state.nets.front().forces.head(net.edge_count()).cwiseMax(0.0);
+        plan.tensions = carried_tensions(net, state.nets.front().forces);
         plan.form_std = Eigen::MatrixXd::Zero(3, net.node_count());
         set_limits(m_given);
         std::optional<DrawnStrokes> drawn_strokes;
@@ -441,7 +441,10 @@ private:
         plan.tension_upper.resize(net.edge_count());
         for (int e = 0; e < net.edge_count(); ++e) {
             const DrawnEstimate tension =
-                estimate_of(drawn_strokes.forces.front().row(e).transpose().cwiseMax(0.0));
+                estimate_of(drawn_strokes.forces.front()
+                                .row(e)
+                                .unaryExpr([&](double force) { return carried(net, e, force); })
+                                .transpose());
             plan.tension_lower(e) = tension.lower;
             plan.tension_upper(e) = tension.upper;
         }
@@ -541,7 +544,7 @@ private:
                                                      : supports[static_cast<size_t>(
                                                            row - m_built->net.edge_count())],
                                     .load_case = i == 0 ? "" : m_limits->load_cases[i - 1].name,
-                                    .value = is_edge ? std::max(0.0, forces(row)) : forces(row),
+                                    .value = carried(m_built->net, row, forces(row)),
                                     .limit = given_limit(m_responses[i].response.net(), limit),
                                     .probability = probability});
                 }

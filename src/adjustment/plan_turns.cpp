@@ -95,6 +95,25 @@ std::string text_of(const TensionRange& range) {
 
 void take_tension(const CableNet& net, const TensionRange& range, TensionLimits& limits) {
     check_tension_range(range);
+    std::vector<int> edges;
+    if (range.group) {
+        edges = edges_of_group(net, *range.group, "tension");
+    } else {
+        for (int edge = 0; edge < net.edge_count(); ++edge) {
+            if (!net.is_strut(edge)) {
+                edges.push_back(edge);
+            }
+        }
+    }
+    const auto is_strut = [&net](int edge) { return net.is_strut(edge); };
+    const bool has_negative =
+        (range.least && range.least->value < 0.0) || (range.most && range.most->value <= 0.0);
+    if (has_negative && !std::ranges::all_of(edges, is_strut)) {
+        throw RequestError(
+            "tension", fmt::format("is {}, expected a lower limit of 0 or more and an upper one "
+                                   "above it: only struts carry compression",
+                                   text_of(range)));
+    }
     const bool has_part =
         (range.least && range.least->is_part) || (range.most && range.most->is_part);
     if (has_part && net.data().breaking_load.size() == 0) {
@@ -102,6 +121,12 @@ void take_tension(const CableNet& net, const TensionRange& range, TensionLimits&
                            fmt::format("is {}, a part of the breaking load, but the net has no "
                                        "breaking_load (in N)",
                                        text_of(range)));
+    }
+    if (has_part && std::ranges::any_of(edges, is_strut)) {
+        throw RequestError("tension",
+                           fmt::format("is {}, a part of the breaking load, but '{}' has "
+                                       "struts: give forces",
+                                       text_of(range), range.group.value_or("")));
     }
     const auto force_of = [&](const TensionBound& bound, int edge) {
         return bound.is_part ? bound.value * net.data().breaking_load(edge) : bound.value;
@@ -114,13 +139,7 @@ void take_tension(const CableNet& net, const TensionRange& range, TensionLimits&
             limits.upper(edge) = force_of(*range.most, edge);
         }
     };
-    if (range.group) {
-        std::ranges::for_each(edges_of_group(net, *range.group, "tension"), take);
-        return;
-    }
-    for (int edge = 0; edge < net.edge_count(); ++edge) {
-        take(edge);
-    }
+    std::ranges::for_each(edges, take);
 }
 
 std::vector<WorkStage> stages_of(const CableNet& net, const std::vector<int>& turnable,
@@ -177,11 +196,14 @@ RequestError::RequestError(const std::string& field, const std::string& problem)
       m_problem(problem) {}
 
 void check_tension_range(const TensionRange& range) {
-    const TensionBound least = range.least.value_or(TensionBound{});
+    const TensionBound least = range.least.value_or(
+        TensionBound{.value = range.group ? -std::numeric_limits<double>::infinity() : 0.0});
     const TensionBound most =
         range.most.value_or(TensionBound{.value = std::numeric_limits<double>::infinity()});
     const bool is_comparable = least.is_part == most.is_part || std::isinf(most.value);
-    if (!(least.value >= 0.0) || !(most.value > 0.0) ||
+    const bool is_negative = !(least.value >= 0.0) || !(most.value > 0.0);
+    if ((is_negative && (least.is_part || most.is_part || !range.group)) ||
+        std::isnan(least.value) || std::isnan(most.value) ||
         (is_comparable && !(most.value > least.value))) {
         throw RequestError("tension", fmt::format("is {}, expected a lower limit of 0 or more and "
                                                   "an upper one above it",

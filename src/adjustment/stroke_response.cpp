@@ -10,7 +10,7 @@ namespace {
 
 /// The tension, continued below zero for an edge that is too long.
 double pull_of(const EdgeState& state, double unstressed_length) {
-    return state.taut() ? state.tension : state.axial * (state.length - unstressed_length);
+    return state.carries() ? state.tension : state.axial * (state.length - unstressed_length);
 }
 
 /// The force with which the net pulls at a support [N].
@@ -101,7 +101,7 @@ StrokeRates StrokeResponse::rates(const StrokedNet& stroked) const {
         const Eigen::Vector3d along = reaction / size;
         for (int e = 0; e < m; ++e) {
             const auto [s, t] = net.edges()[e];
-            if (!states[e].taut() || (s != m_reactions[r] && t != m_reactions[r])) {
+            if (!states[e].carries() || (s != m_reactions[r] && t != m_reactions[r])) {
                 continue;
             }
             const double sign = s == m_reactions[r] ? 1.0 : -1.0;

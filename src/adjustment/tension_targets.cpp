@@ -112,6 +112,10 @@ void check_tension_targets(const CableNet& net, std::span<const TensionTarget> t
         }
         last = edge;
         const std::string id = net.edge_id(edge);
+        if (net.is_strut(edge)) {
+            throw RequestError(of_targets,
+                               fmt::format("is of edge '{}', a strut, expected a cable", id));
+        }
         if (!(target.tension > 0.0 && target.tension < largest)) {
             throw RequestError(of_targets,
                                fmt::format("of edge '{}' is {:g} N, expected more than 0: "

@@ -13,6 +13,7 @@
 
 #include "adjustment/check_plan.hpp"
 #include "adjustment/drawn_forces.hpp"
+#include "adjustment/force_ranges.hpp"
 #include "adjustment/order_work.hpp"
 #include "adjustment/station_tour.hpp"
 #include "adjustment/work_stages.hpp"
@@ -104,7 +105,7 @@ void add_stage_end(const OrderWork& work, const std::vector<WorkStage>& stages, 
     const bool is_rest = stage == std::ssize(stages);
     const WorkStage given =
         is_rest ? WorkStage{.name = "rest"} : stages[static_cast<size_t>(stage)];
-    const auto tensions = work.now().forces.head(work.net().edge_count()).cwiseMax(0.0);
+    const Eigen::VectorXd tensions = carried_tensions(work.net(), work.now().forces);
     order.stages.push_back({.name = given.name,
                             .part = given.part,
                             .step = last_step,
@@ -158,7 +159,8 @@ PassAttempt try_passes(OrderWork& work, const Plan& plan,
             }
             for (Turning& turning : result.order.turnings) {
                 if (turning.step == step) {
-                    turning.tension = std::max(0.0, next.net.forces(turning.edge));
+                    turning.tension =
+                        carried(work.net(), turning.edge, next.net.forces(turning.edge));
                     const auto [s, t] = work.net().edges()[turning.edge];
                     const Points& form = next.net.equilibrium.form;
                     turning.length = (form.col(s) - form.col(t)).norm();

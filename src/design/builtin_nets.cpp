@@ -4,8 +4,10 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 namespace taut {
 namespace {
@@ -20,11 +22,16 @@ int whole_number(std::string_view text) {
 }  // namespace
 
 CableNet builtin_net(std::string_view name) {
-    if (name == "hilo-quarter") {
-        return hilo_quarter();
-    }
-    if (name == "steel-roof") {
-        return steel_roof();
+    constexpr std::array<std::pair<std::string_view, CableNet (*)()>, 5> named{
+        {{"hilo-quarter", hilo_quarter},
+         {"steel-roof", steel_roof},
+         {"cable-dome", cable_dome},
+         {"spoke-wheel", spoke_wheel},
+         {"tensegrity-simplex", tensegrity_simplex}}};
+    for (const auto& [of_net, make] : named) {
+        if (name == of_net) {
+            return make();
+        }
     }
     constexpr std::string_view prefix = "hypar:";
     if (name.starts_with(prefix)) {
@@ -37,10 +44,11 @@ CableNet builtin_net(std::string_view name) {
             }
         }
     }
-    throw std::invalid_argument(fmt::format(
-        "there is no built-in net '{}': expected hilo-quarter, steel-roof, or hypar:RxC with "
-        "rows and columns of free nodes, as in hypar:20x30",
-        name));
+    throw std::invalid_argument(
+        fmt::format("there is no built-in net '{}': expected hilo-quarter, steel-roof, cable-dome, "
+                    "spoke-wheel, tensegrity-simplex, or hypar:RxC with rows and columns of free "
+                    "nodes, as in hypar:20x30",
+                    name));
 }
 
 }  // namespace taut

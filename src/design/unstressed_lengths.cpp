@@ -20,11 +20,11 @@ Eigen::VectorXd unstressed_lengths_for(const Eigen::Ref<const Eigen::VectorXd>& 
     const auto positive = [](double x) { return std::isfinite(x) && x > 0.0; };
     for (Eigen::Index e = 0; e < lengths.size(); ++e) {
         if (!positive(lengths(e)) || !positive(axial_stiffness(e)) ||
-            !(std::isfinite(tensions(e)) && tensions(e) >= 0.0)) {
+            !(std::isfinite(tensions(e)) && tensions(e) > -axial_stiffness(e))) {
             throw std::invalid_argument(
                 fmt::format("edge {} has length {} m, tension {} N and axial stiffness {} N: "
-                            "expected a positive length and stiffness, and a tension that is not "
-                            "negative",
+                            "expected a positive length and stiffness, and a tension above the "
+                            "negative stiffness",
                             e, lengths(e), tensions(e), axial_stiffness(e)));
         }
     }

@@ -31,8 +31,9 @@ double stiffness_as_length(const StaticsModel& model, int edge, const Iterate& i
     const CableNet& net = model.net();
     const EdgeRates e = model.rates(edge, iterate);
     const double least = 1e-6 * net.axial_stiffness()(edge) / net.unstressed_lengths()(edge);
-    const double length = model.own_stiffness_stds()(edge) * std::max(0.0, e.tension) /
-                          std::max(std::abs(e.by_length), least);
+    const double tension = net.is_strut(edge) ? std::abs(e.tension) : std::max(0.0, e.tension);
+    const double length =
+        model.own_stiffness_stds()(edge) * tension / std::max(std::abs(e.by_length), least);
     return length * length;
 }
 
@@ -69,8 +70,10 @@ LawBlur blur_by(const CableNet& net, double extension_std,
         result.missed = Eigen::VectorXd::Zero(net.interior_edge_count());
     }
     if (std_of(uncertain, UncertainParameter::Kind::stiffness_each) > 0.0) {
-        const Eigen::VectorXd stretch =
-            (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0);
+        Eigen::VectorXd stretch = edge_lengths(net, net.nodes()) - net.unstressed_lengths();
+        for (int e = 0; e < net.edge_count(); ++e) {
+            stretch(e) = net.is_strut(e) ? std::abs(stretch(e)) : std::max(0.0, stretch(e));
+        }
         result.stiffness = stretch.cwiseProduct(own_stiffness_stds(net, uncertain))
                                .cwiseAbs2()(net.interior_edges());
     }

@@ -334,8 +334,9 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
             const double part = of_stiffness(i) / (m_sites.variance(i) + blur(i));
             const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
-            own_stiffness(edge) =
-                -m_model.own_stiffness_stds()(edge) * length / std::sqrt(of_stiffness(i));
+            own_stiffness(edge) = m_model.own_stiffness_sign(edge, tensions(edge)) *
+                                  m_model.own_stiffness_stds()(edge) * length /
+                                  std::sqrt(of_stiffness(i));
             deviation -= length;
         }
         const double nominal = m_net.unstressed_lengths()(edge);
@@ -365,7 +366,7 @@ std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
     std::vector<bool> slack(m_net.edge_count(), false);
     for (int i = 0; i < deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
-        slack[edge] = deviations(i) > spans(edge);
+        slack[edge] = !m_net.is_strut(edge) && deviations(i) > spans(edge);
     }
     return m_knowledge.as_seen(std::move(slack));
 }
@@ -464,7 +465,7 @@ std::vector<PerturbedFit> Perturbation::fits_with_determinants(bool refit_all,
                                        std::move(workspace.last));
             if (workspace.last) {
                 fits[k] = {.iterate = std::move(found->fit.iterate),
-                           .mean_tension = found->fit.tensions.mean(),
+                           .mean_tension = mean_weights(m_net).dot(found->fit.tensions),
                            .half_log_determinant = workspace.last->half_log_determinant(sites)};
             }
         });

@@ -15,8 +15,8 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
     int k = 0;
     for (const UncertainParameter& parameter : uncertain) {
         if (parameter.kind == kind) {
-            result.tension_bias(force.edge, k) =
-                std::hypot(parameter.std * force.tension, force.shared_std);
+            result.tension_bias(force.edge, k) = std::copysign(
+                std::hypot(parameter.std * force.tension, force.shared_std), force.tension);
             return;
         }
         k += is_common(parameter) ? 1 : 0;

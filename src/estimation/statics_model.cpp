@@ -96,7 +96,7 @@ EdgeRates StaticsModel::rates(int edge, const Iterate& iterate) const {
     const double stiffness = common.stiffness_factor(edge, iterate.common);
     const Eigen::Vector3d vector = iterate.form.col(s) - iterate.form.col(t);
     const double length = vector.norm();
-    const Stretch e = stretch(length - unstressed, corner_width);
+    const Stretch e = stretch(length - unstressed, m_net->is_strut(edge) ? 0.0 : corner_width);
     double axial = stiffness * m_net->axial_stiffness()(edge) / unstressed;
     double tension = axial * e.value;
     if (m_net->tension_law(edge) != nullptr) {

@@ -87,7 +87,7 @@ public:
     CommonParameters common;  ///< iterates must have as many
     std::vector<bool> slack;  ///< the slack set: edges (m) that carry nothing; none at first
     LawBlur blur;             ///< of the tension laws; none at first
-    /// With a width w above 0 no edge carries pressure: with e = l - l_0 its tension is
+    /// With a width w above 0 no cable carries pressure: with e = l - l_0 its tension is
     ///
     ///   T = EA/l_0 (e + sqrt(e^2 + 4 w^2)) / 2,
     ///
@@ -104,6 +104,11 @@ public:
     [[nodiscard]] const StaticsNumbering& numbering() const { return *m_numbering; }
     /// Of each edge, relative (m).
     [[nodiscard]] const Eigen::VectorXd& own_stiffness_stds() const { return m_own_stiffness_stds; }
+    /// (own-stiffness): whether a length deviation that stands for more stiffness is negative, -1,
+    /// or positive as in a compressed strut, 1.
+    [[nodiscard]] double own_stiffness_sign(int edge, double tension) const {
+        return m_net->is_strut(edge) && tension < 0.0 ? 1.0 : -1.0;
+    }
     [[nodiscard]] bool are_supports_uncertain() const {
         return m_numbering->supports == Supports::uncertain;
     }

@@ -69,7 +69,8 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         constexpr double negligible = 1e-7;
         if (!result.predicted.balanced() &&
             result.predicted.out_of_balance <=
-                negligible * taut::tensions(net, net.unstressed_lengths(), net.nodes()).mean()) {
+                negligible *
+                    taut::tensions(net, net.unstressed_lengths(), net.nodes()).cwiseAbs().mean()) {
             result.predicted.status = EquilibriumStatus::slack_mechanism;
         }
         result.tensions = tensions(identified, l_0, result.predicted.form);

@@ -186,12 +186,7 @@ void set_drawn_covariances(Identification& result, const CableNet& net) {
 /// Sets what follows from reliable draws.
 void summarise(Identification& result, const CableNet& net, const Survey& survey,
                const Eigen::VectorXd& prior_stds) {
-    std::vector<int> missing;
-    missing.reserve(survey.missing.size());
-    for (const int node : survey.missing) {
-        missing.push_back(net.free_index(node));
-    }
-    result.drawn = summary_of(*result.draws, survey.missing, missing);
+    result.drawn = summary_of(*result.draws, net, survey.missing);
     set_drawn_covariances(result, net);
     set_drawn_edges(result, prior_stds);
 }

@@ -59,7 +59,7 @@ Identifiability identifiability(const CableNet& net,
     Identifiability result;
     std::vector<int> taut_edges;
     for (const int e : net.interior_edges()) {
-        (tension(e) > 0.0 ? taut_edges : result.slack).push_back(e);
+        (tension(e) > 0.0 || net.is_strut(e) ? taut_edges : result.slack).push_back(e);
     }
     const Eigen::SparseMatrix<double> A = equilibrium_matrix(net, form, taut_edges);
     const SelfStress self_stress(A);

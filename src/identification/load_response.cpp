@@ -190,9 +190,11 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     const Eigen::VectorXd& designed = planned.tensions();
     const double highest = 2.0 * designed.maxCoeff();
     const Eigen::VectorXd& breaking = net.data().breaking_load;
+    const Eigen::VectorXd& buckling = net.data().buckling_load;
     for (int e = 0; e < net.edge_count(); ++e) {
-        if (under(e) > (breaking.size() > 0 ? breaking(e) : highest) ||
-            (designed(e) > 0.0 && !(under(e) > 0.0))) {
+        if ((buckling.size() > 0 && under(e) < -buckling(e)) ||
+            under(e) > (breaking.size() > 0 ? breaking(e) : highest) ||
+            (!net.is_strut(e) && designed(e) > 0.0 && !(under(e) > 0.0))) {
             return std::nullopt;
         }
     }

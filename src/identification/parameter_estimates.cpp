@@ -124,7 +124,9 @@ private:
                 const double by_length = stds(edge) / std::sqrt(part);
                 const double own = std::pow(parameter.std / stds(edge), 2);
                 const Share length = share(edge, part);
-                estimate.mean = -own * by_length * length.mean;
+                estimate.mean =
+                    m_model.own_stiffness_sign(edge, m_model.rates(edge, m_fitted).tension) * own *
+                    by_length * length.mean;
                 estimate.std = std_or(own * own * by_length * by_length * length.variance +
                                           (1.0 - own) * parameter.std * parameter.std,
                                       parameter.std);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/statics/tensions.hpp"
+
 namespace taut {
 namespace {
 
@@ -30,23 +32,25 @@ DrawnEstimate estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
             .upper = quantile(sorted, 0.975)};
 }
 
-DrawnSummary summary_of(const PosteriorDraws& draws, const std::vector<int>& missing,
-                        const std::vector<int>& free_index) {
+DrawnSummary summary_of(const PosteriorDraws& draws, const CableNet& net,
+                        const std::vector<int>& missing) {
     DrawnSummary summary;
     for (int e = 0; e < draws.tensions.rows(); ++e) {
         const Eigen::VectorXd tension = draws.tensions.row(e);
         summary.tensions.push_back(
             {.edge = e,
              .tension = estimate_of(tension),
-             .slack_probability = static_cast<double>((tension.array() <= 0.0).count()) /
-                                  static_cast<double>(draws.count())});
+             .slack_probability = net.is_strut(e)
+                                      ? 0.0
+                                      : static_cast<double>((tension.array() <= 0.0).count()) /
+                                            static_cast<double>(draws.count())});
     }
-    const Eigen::VectorXd means = draws.tensions.colwise().mean();
+    const Eigen::VectorXd means = draws.tensions.transpose() * mean_weights(net);
     summary.mean_tension = estimate_of(means);
-    for (size_t i = 0; i < missing.size(); ++i) {
-        DrawnPlace place{.node = missing[i]};
+    for (const int node : missing) {
+        DrawnPlace place{.node = node};
         for (int k = 0; k < 3; ++k) {
-            const Eigen::VectorXd values = draws.forms.row(3 * free_index[i] + k);
+            const Eigen::VectorXd values = draws.forms.row(3 * net.free_index(node) + k);
             const DrawnEstimate estimate = estimate_of(values);
             place.mean(k) = estimate.mean;
             place.std(k) = estimate.std;

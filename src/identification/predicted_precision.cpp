@@ -59,10 +59,10 @@ void add_tensions(const PlannedFit& planned, double relative_force_std,
                   PredictedPrecision& result) {
     const CableNet& net = planned.net();
     const Eigen::VectorXd& variances = planned.covariance().tensions;
-    const Eigen::VectorXd with_mean = planned.linearisation().covariances_with(
-        Eigen::VectorXd::Constant(net.edge_count(), 1.0 / net.edge_count()));
-    const double of_mean = with_mean.mean();
-    result.mean_tension = planned.tensions().mean();
+    const Eigen::VectorXd weights = mean_weights(net);
+    const Eigen::VectorXd with_mean = planned.linearisation().covariances_with(weights);
+    const double of_mean = weights.dot(with_mean);
+    result.mean_tension = weights.dot(planned.tensions());
     result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
     for (int e = 0; e < net.edge_count(); ++e) {
         const double tension = planned.tensions()(e);

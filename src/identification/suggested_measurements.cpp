@@ -15,6 +15,7 @@
 #include "identification/planned_fit.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/parallel.hpp"
+#include "taut/statics/tensions.hpp"
 #include "taut/survey/cable_sag.hpp"
 #include "taut/survey/cable_vibration.hpp"
 
@@ -292,8 +293,7 @@ Sought sought(const PlannedFit& planned, SoughtQuantity quantity) {
     const Rates tensions = tension_rates(planned.model(), planned.iterate());
     const CableNet& net = planned.net();
     if (quantity == SoughtQuantity::mean_tension) {
-        const Eigen::RowVectorXd mean = Eigen::RowVectorXd::Constant(
-            net.edge_count(), 1.0 / static_cast<double>(net.edge_count()));
+        const Eigen::RowVectorXd mean = mean_weights(net).transpose();
         return {.rates = Eigen::RowVectorXd(mean * tensions).sparseView(), .is_worst = false};
     }
     if (quantity == SoughtQuantity::worst_tension) {
@@ -407,7 +407,7 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
     const Sought numbers = sought(planned, options.quantity);
     Update update(planned.joint_covariance(options.assume_site), numbers);
     MeasurementSuggestions result{.quantity = options.quantity,
-                                  .mean_tension = planned.tensions().mean(),
+                                  .mean_tension = mean_weights(net).dot(planned.tensions()),
                                   .std = update.std(),
                                   .steps = {},
                                   .left_out = std::move(candidates.left_out)};

@@ -41,6 +41,7 @@ ordered_json edges_json(const CableNet& net, const FormValues& values) {
             {"EA", values.axial_stiffness(e)},
             {"is_slack", values.is_slack(e)},
             {"is_adjustable", static_cast<bool>(adjustable[e])},
+            {"is_strut", net.is_strut(e)},
             {"name", net.edge_id(e)}};
     }
     return edges;

@@ -14,8 +14,10 @@ FormValues form_values(const CableNet& net, const Points& form) {
     FormValues values{.lengths = edge_lengths(net, form),
                       .tensions = tensions(net, net.unstressed_lengths(), form),
                       .force_densities = {},
-                      .axial_stiffness = net.axial_stiffness()};
+                      .axial_stiffness = net.axial_stiffness(),
+                      .is_strut = {}};
     for (int e = 0; e < net.edge_count(); ++e) {
+        values.is_strut.push_back(net.is_strut(e));
         if (values.lengths(e) == 0.0) {
             throw std::invalid_argument(
                 fmt::format("edge {} has no length in the form", net.edge_id(e)));

@@ -17,7 +17,9 @@ struct FormValues {
     /// finds the same tension; of a slack one the first slope [N].
     Eigen::VectorXd axial_stiffness;
 
-    [[nodiscard]] bool is_slack(int edge) const { return tensions(edge) <= 0.0; }
+    std::vector<bool> is_strut;
+
+    [[nodiscard]] bool is_slack(int edge) const { return tensions(edge) <= 0.0 && !is_strut[edge]; }
 };
 
 /// @param form 3 x n [m]

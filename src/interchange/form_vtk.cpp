@@ -65,6 +65,9 @@ std::string form_to_vtk(const CableNet& net, const Points& form) {
     result += numbers("unstressed_length", net.unstressed_lengths());
     result += numbers("axial_stiffness", values.axial_stiffness);
     result += scalars("is_slack", "int", m, [&](int e) { return int{values.is_slack(e)}; });
+    if (net.has_struts()) {
+        result += scalars("is_strut", "int", m, [&](int e) { return int{net.is_strut(e)}; });
+    }
     result += scalars("is_adjustable", "int", m, [&](int e) { return int{adjustable[e]}; });
     result += fmt::format("POINT_DATA {}\n", n);
     result += scalars("is_support", "int", n, [&](int i) { return net.is_support(i) ? 1 : 0; });

@@ -50,16 +50,18 @@ Eigen::VectorXd tensions_in(const Stored& stored, double force_unit) {
     return force_unit * stored.forces.force_densities.cwiseProduct(stored.lengths);
 }
 
-/// Whether the tension laws of the edges, as EA max(0, l / l_0 - 1), give the tensions of q.
+/// Whether the tension laws of the edges, as EA max(0, l / l_0 - 1), of struts without the maximum,
+/// give the tensions of q.
 bool is_consistent(const Stored& stored, double force_unit) {
     const Eigen::VectorXd expected = tensions_in(stored, force_unit);
     double largest = 0.0;
     for (Eigen::Index e = 0; e < expected.size(); ++e) {
-        const double strain = std::max(0.0, stored.lengths(e) / (*stored.unstressed)(e)-1.0);
+        double strain = stored.lengths(e) / (*stored.unstressed)(e)-1.0;
+        strain = expected(e) < 0.0 ? strain : std::max(0.0, strain);
         largest = std::max(largest,
                            std::abs(stored.stiffness.tension(e, strain, force_unit) - expected(e)));
     }
-    return largest <= consistent_within * expected.mean();
+    return largest <= consistent_within * expected.cwiseAbs().mean();
 }
 
 /// l / (1 + strain at T)
@@ -130,8 +132,12 @@ bool takes_stored_lengths(const Stored& stored, double force_unit, ImportReport&
 void check_strains(const ImportedStructure& structure, const Stored& stored,
                    const Eigen::VectorXd& unstressed, ImportReport& report) {
     const Eigen::ArrayXd strains = stored.lengths.array() / unstressed.array() - 1.0;
-    // An edge that is slack beside edges in tension may be so by any length.
-    const Eigen::ArrayXd sizes = stored.forces.source.empty() ? strains.abs() : strains;
+    // A cable that is slack beside edges in tension may be so by any length.
+    const auto is_pressed = stored.forces.force_densities.array() < 0.0;
+    Eigen::ArrayXd sizes = strains.abs();
+    if (!stored.forces.source.empty()) {
+        sizes = is_pressed.select(sizes, strains);
+    }
     Eigen::Index worst = 0;
     const double largest = sizes.maxCoeff(&worst);
     const ImportedEdge& edge = structure.edges[worst];
@@ -143,7 +149,8 @@ void check_strains(const ImportedStructure& structure, const Stored& stored,
                         "forces and stiffness",
                         100.0 * strains(worst), 100.0 * largest_strain));
     }
-    if (const auto slack = (strains <= 0.0).count(); slack > 0 && stored.unstressed) {
+    const auto slack = (strains <= 0.0 && !is_pressed).count();
+    if (slack > 0 && stored.unstressed) {
         report.warnings.push_back(fmt::format("{} edges are slack in the given form", slack));
     }
 }
@@ -159,7 +166,8 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
                            .tension_laws = stored.stiffness.laws,
                            .tension_law = stored.stiffness.law_of_edge,
                            .unstressed = {},
-                           .force_unit = force_unit};
+                           .force_unit = force_unit,
+                           .is_pressed = {}};
     const Eigen::VectorXd tensions = tensions_in(stored, force_unit);
     for (Eigen::Index e = 0; e < tensions.size(); ++e) {
         const ImportedEdge& edge = structure.edges[e];
@@ -172,6 +180,14 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
             fail_at(structure, edge,
                     fmt::format("has the tension {} N, expected a finite one", tensions(e)));
         }
+        if (!(tensions(e) > -result.axial_stiffness(e))) {
+            fail_at(
+                structure, edge,
+                fmt::format("has the tension {:.6g} N, expected one above {:.6g} N, its negative "
+                            "axial stiffness: check the units of forces and stiffness",
+                            tensions(e), -result.axial_stiffness(e)));
+        }
+        result.is_pressed.push_back(tensions(e) < 0.0);
     }
     if (takes_stored_lengths(stored, force_unit, report)) {
         result.unstressed = *stored.unstressed;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "taut/interchange/net_import.hpp"
 
@@ -13,8 +14,9 @@ struct ImportedLengths {
     Eigen::VectorXd axial_stiffness;       ///< [N]
     std::vector<TensionLaw> tension_laws;  ///< as in CableNetData
     std::vector<int> tension_law;
-    Eigen::VectorXd unstressed;  ///< [m]
-    double force_unit = 1.0;     ///< [N]
+    Eigen::VectorXd unstressed;    ///< [m]
+    double force_unit = 1.0;       ///< [N]
+    std::vector<bool> is_pressed;  ///< whether the file has each edge in compression
 };
 
 /// Axial stiffnesses, the file's unit of force and unstressed lengths. The report says what was

@@ -20,23 +20,6 @@ const ImportedEdge& edge_at(const ImportedStructure& structure, Eigen::Index e) 
     return structure.edges[e];
 }
 
-void refuse_compression(const ImportedStructure& structure, const Eigen::VectorXd& forces,
-                        const char* name) {
-    Eigen::Index first = 0;
-    const auto count = (forces.array() < 0.0).count();
-    if (count == 0) {
-        return;
-    }
-    while (forces(first) >= 0.0) {
-        ++first;
-    }
-    const std::string others = count > 1 ? fmt::format(", as are {} others", count - 1) : "";
-    fail_at(structure, edge_at(structure, first),
-            fmt::format("is in compression ({} = {:.6g}){}: taut is for cable nets, whose edges "
-                        "carry tension only",
-                        name, forces(first), others));
-}
-
 }  // namespace
 
 void fail_at(const ImportedStructure& structure, const ImportedEdge& edge,
@@ -86,12 +69,6 @@ ImportedForces forces_of(const ImportedStructure& structure, const Eigen::Vector
                          std::vector<std::string>& warnings) {
     const auto q = numbers_of(structure, {"q"});
     const auto f = numbers_of(structure, {"f", "force"});
-    if (q) {
-        refuse_compression(structure, *q, "q");
-    }
-    if (f) {
-        refuse_compression(structure, *f, "f");
-    }
     if (!q && !f) {
         return {.force_densities = Eigen::VectorXd::Zero(lengths.size()), .source = ""};
     }

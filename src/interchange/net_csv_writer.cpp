@@ -12,7 +12,8 @@ NetCsv form_to_net_csv(const CableNet& net, const Points& form) {
     const FormValues values = form_values(net, form);
     const std::vector<bool> adjustable = adjustable_flags(net);
     NetCsv result{.nodes = "id,x,y,z,is_free,u,v,w,px,py,pz\n",
-                  .edges = "u,v,q,f,l,l0,EA,is_slack,is_adjustable,id\n"};
+                  .edges = fmt::format("u,v,q,f,l,l0,EA,is_slack,is_adjustable,{}id\n",
+                                       net.has_struts() ? "is_strut," : "")};
     for (int node = 0; node < net.node_count(); ++node) {
         const auto load = net.loads().col(node);
         result.nodes += fmt::format("{},{},{},{},{},0,0,0,{},{},{}\n", csv_field(net.node_id(node)),
@@ -22,10 +23,14 @@ NetCsv form_to_net_csv(const CableNet& net, const Points& form) {
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
         result.edges +=
-            fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(net.node_id(s)),
+            fmt::format("{},{},{},{},{},{},{},{},{},{}{}\n", csv_field(net.node_id(s)),
                         csv_field(net.node_id(t)), values.force_densities(e), values.tensions(e),
                         values.lengths(e), net.unstressed_lengths()(e), values.axial_stiffness(e),
-                        int{values.is_slack(e)}, int{adjustable[e]}, csv_field(net.edge_id(e)));
+                        int{values.is_slack(e)}, int{adjustable[e]},
+                        !net.has_struts() ? ""
+                        : net.is_strut(e) ? "1,"
+                                          : "0,",
+                        csv_field(net.edge_id(e)));
     }
     return result;
 }

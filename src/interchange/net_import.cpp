@@ -94,6 +94,46 @@ std::vector<int> adjustable_of(const ImportedStructure& structure, const CableNe
     return edges_at_supports(data.edges, data.supports);
 }
 
+/// By is_strut of the file, else those in compression.
+std::vector<EdgeKind> kinds_of(const ImportedStructure& structure,
+                               const std::vector<bool>& is_pressed, ImportReport& report) {
+    std::vector<EdgeKind> kinds(is_pressed.size(), EdgeKind::cable);
+    bool is_given = false;
+    for (size_t e = 0; e < kinds.size(); ++e) {
+        const auto& numbers = structure.edges[e].numbers;
+        const auto found = numbers.find("is_strut");
+        is_given |= found != numbers.end();
+        if (found != numbers.end() && found->second != 0.0) {
+            kinds[e] = EdgeKind::strut;
+        }
+    }
+    if (is_given) {
+        for (size_t e = 0; e < kinds.size(); ++e) {
+            if (is_pressed[e] && kinds[e] == EdgeKind::cable) {
+                fail_at(structure, structure.edges[e],
+                        "is in compression, but no strut by is_strut");
+            }
+        }
+        report.read.emplace_back("struts: by is_strut");
+        return kinds;
+    }
+    const auto pressed = std::ranges::count(is_pressed, true);
+    if (pressed == 0) {
+        return kinds;
+    }
+    std::ranges::transform(is_pressed, kinds.begin(), [](bool pressed_one) {
+        return pressed_one ? EdgeKind::strut : EdgeKind::cable;
+    });
+    report.assumed.push_back(fmt::format("struts: the {} edges in compression", pressed));
+    if (2 * pressed > std::ssize(kinds)) {
+        report.warnings.push_back(
+            fmt::format("{} of {} edges are in compression, and become struts. Is a negative force "
+                        "tension in this file?",
+                        pressed, kinds.size()));
+    }
+    return kinds;
+}
+
 Points loads_of_file(const ImportedStructure& structure, double force_unit, ImportReport& report) {
     Points loads(3, static_cast<Eigen::Index>(structure.nodes.size()));
     for (size_t i = 0; i < structure.nodes.size(); ++i) {
@@ -182,6 +222,7 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
     data.tension_laws = lengths.tension_laws;
     data.tension_law = lengths.tension_law;
     data.unstressed_lengths = lengths.unstressed;
+    data.kind = kinds_of(selected, lengths.is_pressed, report);
     report.assumed.emplace_back("coordinates are in m");
     if (settings.loads == ImportSettings::Loads::file) {
         data.loads = loads_of_file(selected, lengths.force_unit, report);

@@ -17,9 +17,9 @@ const std::string data_set_format = "taut-data-set";
 constexpr std::uint64_t data_set_version = 2;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
-constexpr std::array equilibrium_statuses{EquilibriumStatus::converged,
-                                          EquilibriumStatus::slack_mechanism,
-                                          EquilibriumStatus::iteration_limit};
+constexpr std::array equilibrium_statuses{
+    EquilibriumStatus::converged, EquilibriumStatus::slack_mechanism,
+    EquilibriumStatus::iteration_limit, EquilibriumStatus::unstable};
 
 void check(const DataSet& data, const CableNet& net) {
     const Eigen::Index n = data.form_deviations.cols();

@@ -3,6 +3,7 @@
 #include "taut/io/forces_csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/name_column.hpp"
 #include "net/check_index.hpp"
@@ -12,9 +13,9 @@
 namespace taut {
 namespace {
 
-double force_in(const CsvTable& table, const CsvRecord& row, size_t column) {
+double force_in(const CsvTable& table, const CsvRecord& row, size_t column, bool is_strut) {
     const double force = table.number(row, column);
-    if (force < 0.0) {
+    if (force < 0.0 && !is_strut) {
         table.refuse(row, column, "0 or more");
     }
     return force;
@@ -31,10 +32,10 @@ std::vector<ForceMeasurement> parse_force_measurements(const CableNet& net, std:
     NameColumn edges = NameColumn::of_edges(table, net);
     std::vector<ForceMeasurement> measurements;
     for (const CsvRecord& row : table.rows()) {
-        ForceMeasurement measurement{.edge = edges.unique_index(row),
-                                     .tension = format.unit * force_in(table, row, 1)};
-        const double tension = measurement.tension;
-        const double std = has_std            ? format.unit * force_in(table, row, 2)
+        ForceMeasurement measurement{.edge = edges.unique_index(row)};
+        measurement.tension = format.unit * force_in(table, row, 1, net.is_strut(measurement.edge));
+        const double tension = std::abs(measurement.tension);
+        const double std = has_std            ? format.unit * force_in(table, row, 2, false)
                            : format.std > 0.0 ? format.std
                                               : format.relative_std * tension;
         constexpr double largest = 1e12;  // no cable bears it, and its square is a number
@@ -82,7 +83,7 @@ std::string force_unit_warning(const CableNet& net,
     std::vector<double> ratios;
     for (const ForceMeasurement& measurement : measurements) {
         check_index("edge", measurement.edge, net.edge_count());
-        if (designed(measurement.edge) > 0.0 && measurement.tension > 0.0) {
+        if (designed(measurement.edge) * measurement.tension > 0.0) {
             ratios.push_back(measurement.tension / designed(measurement.edge));
         }
     }

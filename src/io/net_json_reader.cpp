@@ -127,6 +127,44 @@ std::vector<Thread> read_threads(const std::optional<JsonValue>& list) {
     return threads;
 }
 
+std::vector<EdgeKind> read_kinds(const std::optional<JsonValue>& list) {
+    std::vector<EdgeKind> kinds(list ? list->array_size("an array of cable and strut") : 0);
+    for (size_t e = 0; e < kinds.size(); ++e) {
+        const JsonValue value = list->at(e);
+        const std::string& text = value.text();
+        if (text != "cable" && text != "strut") {
+            value.fail(fmt::format(R"(is {}, expected "cable" or "strut")", quote(text)));
+        }
+        kinds[e] = text == "strut" ? EdgeKind::strut : EdgeKind::cable;
+    }
+    return kinds;
+}
+
+/// A number or null for each edge, or one number for all struts.
+Eigen::VectorXd read_buckling_loads(const std::optional<JsonValue>& value,
+                                    const CableNetData& data) {
+    if (!value) {
+        return {};
+    }
+    Eigen::VectorXd loads =
+        Eigen::VectorXd::Constant(std::ssize(data.edges), std::numeric_limits<double>::infinity());
+    if (value->json().is_number()) {
+        for (size_t e = 0; e < data.kind.size() && e < data.edges.size(); ++e) {
+            if (data.kind[e] == EdgeKind::strut) {
+                loads(static_cast<Eigen::Index>(e)) = value->number();
+            }
+        }
+        return loads;
+    }
+    value->require_array(data.edges.size(), "one number, or an array of numbers and null");
+    for (size_t e = 0; e < data.edges.size(); ++e) {
+        if (const JsonValue one = value->at(e); !one.json().is_null()) {
+            loads(static_cast<Eigen::Index>(e)) = one.number();
+        }
+    }
+    return loads;
+}
+
 std::map<std::string, std::vector<int>> read_groups(const std::optional<JsonValue>& object) {
     std::map<std::string, std::vector<int>> groups;
     if (object) {
@@ -303,6 +341,8 @@ CableNetData read_data(const JsonValue& root) {
     data.bending_stiffness = read_rates(root.find("bending_stiffness"), data.edges.size());
     data.thread = read_threads(root.find("thread"));
     data.runs = read_runs(root.find("runs"));
+    data.kind = read_kinds(root.find("kind"));
+    data.buckling_load = read_buckling_loads(root.find("buckling_load"), data);
     read_elastic_supports(root, data);
     return data;
 }

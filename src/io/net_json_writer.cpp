@@ -210,6 +210,16 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
             add(key, one_or_all(*rates));
         }
     }
+    if (net.has_struts()) {
+        add("kind", wrapped(data.kind, [](EdgeKind kind) {
+                return std::string(kind == EdgeKind::strut ? R"("strut")" : R"("cable")");
+            }));
+    }
+    if (data.buckling_load.size() > 0) {
+        add("buckling_load", wrapped(data.buckling_load, [](double load) {
+                return std::isfinite(load) ? number_text(load) : std::string("null");
+            }));
+    }
     if (!data.runs.empty()) {
         add("runs", runs_text(data.runs));
     }

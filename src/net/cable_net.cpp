@@ -119,6 +119,10 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     take_stiffness_of_laws(m_data);
     validate(m_data);
     sort_adjustable(m_data);
+    if (std::ranges::find(m_data.kind, EdgeKind::strut) == m_data.kind.end()) {
+        m_data.kind.clear();
+        m_data.buckling_load.resize(0);
+    }
     for (ElasticSupport& support : m_data.elastic_supports) {  // rounding errors of its maker
         support.stiffness = (0.5 * (support.stiffness + support.stiffness.transpose())).eval();
     }

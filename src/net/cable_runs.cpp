@@ -28,6 +28,9 @@ std::vector<std::pair<int, int>> straight_pairs(const CableNet& net, int node) {
     };
     for (size_t i = 0; i < edges.size(); ++i) {
         for (size_t j = i + 1; j < edges.size(); ++j) {
+            if (net.is_strut(edges[i]) || net.is_strut(edges[j])) {
+                continue;  // a strut is cut by itself
+            }
             const double cosine = direction(edges[i]).dot(direction(edges[j]));
             if (cosine < -straight) {
                 candidates.emplace_back(cosine, edges[i], edges[j]);

@@ -32,6 +32,9 @@ std::string compute_fingerprint(const CableNetData& data) {
         hash.add_list(support.stiffness);
         hash.add_list(support.place);
     }
+    if (!data.kind.empty()) {
+        hash.add_list(data.kind);
+    }
     return hash.text();
 }
 

@@ -299,6 +299,40 @@ void check_rates(const std::string& field, const Eigen::VectorXd& values, size_t
     }
 }
 
+void check_struts(const CableNetData& data) {
+    if (!data.kind.empty()) {
+        check_entry_count("kind", static_cast<Eigen::Index>(data.kind.size()),
+                          static_cast<Eigen::Index>(data.edges.size()), "edge");
+    }
+    const auto is_strut = [&](int edge) {
+        return !data.kind.empty() && data.kind[edge] == EdgeKind::strut;
+    };
+    for (int e = 0; e < std::ssize(data.tension_law); ++e) {
+        if (is_strut(e) && data.tension_law[e] >= 0) {
+            throw NetError("tension_law", {e},
+                           "is that of a strut, expected none: struts are linear");
+        }
+    }
+    if (data.buckling_load.size() == 0) {
+        return;
+    }
+    check_entry_count("buckling_load", data.buckling_load.size(),
+                      static_cast<Eigen::Index>(data.edges.size()), "edge");
+    for (int e = 0; e < data.buckling_load.size(); ++e) {
+        const double load = data.buckling_load(e);
+        if (!(load >= 1.0 / largest_magnitude)) {
+            throw NetError("buckling_load", {e},
+                           fmt::format("is {}, expected a positive number", load));
+        }
+        if (std::isfinite(load) && (load > largest_magnitude || !is_strut(e))) {
+            throw NetError("buckling_load", {e},
+                           is_strut(e) ? fmt::format("is {}, expected no more than {:g}", load,
+                                                     largest_magnitude)
+                                       : "is that of a cable, which carries no compression");
+        }
+    }
+}
+
 }  // namespace
 
 void validate_tension_laws(const CableNetData& data) {
@@ -356,6 +390,7 @@ void validate(const CableNetData& data) {
                           static_cast<Eigen::Index>(data.edges.size()), "edge");
         check_positive("breaking_load", data.breaking_load);
     }
+    check_struts(data);
     if (!data.thread.empty()) {
         check_entry_count("thread", static_cast<Eigen::Index>(data.thread.size()),
                           static_cast<Eigen::Index>(data.adjustable.size()), "adjustable edge");

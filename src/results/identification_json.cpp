@@ -164,7 +164,8 @@ Description<Identification> describe(const Identification* /*type*/) {
         .key("cable_net", TAUT_VALUE(net_json(*c.net)), net_rule())
         .optional("tension",
                   TAUT_VALUE(it.tensions.size() > 0 ? numbers_json(it.tensions, 6) : ResultJson()),
-                  Rule::list_of(size), "Of all edges, in the predicted form [N].")
+                  Rule::list_of(Rule::number()),
+                  "Of all edges, in the predicted form; negative in a compressed strut [N].")
         .newer("uncertain", &Identification::uncertain,
                "Estimates of the uncertain parameters; of an edge or a node where one is named.")
         .newer_object("forces", forces_object())

@@ -24,10 +24,15 @@ void add_tension(Description<T>& of_edge, bool is_required, const Drawn& drawn) 
             const DrawnTension* tension = drawn(value, c);
             return tension == nullptr ? std::nullopt : std::optional(tension->tension.*number);
         };
-        is_required ? of_edge.key(key, get, size, text) : of_edge.newer(key, get, size, text);
+        is_required ? of_edge.key(key, get, text) : of_edge.newer(key, get, text);
     };
-    add("tension", &DrawnEstimate::mean, "Mean over the samples; null without, as all below [N].");
-    add("tension_std", &DrawnEstimate::std, "");
+    add("tension", &DrawnEstimate::mean,
+        "Mean over the samples, of a compressed strut negative; null without, as all below [N].");
+    const auto std = [drawn](const T& value, const Context& c) {
+        const DrawnTension* tension = drawn(value, c);
+        return tension == nullptr ? std::nullopt : std::optional(tension->tension.std);
+    };
+    is_required ? of_edge.key("tension_std", std, size) : of_edge.newer("tension_std", std, size);
     add("tension_lower", &DrawnEstimate::lower, "95 % interval [N].");
     add("tension_upper", &DrawnEstimate::upper, "");
     const auto slack = [drawn](const T& value, const Context& c) {
@@ -196,10 +201,10 @@ Description<LengthCovariance> describe(const LengthCovariance* /*type*/) {
 Description<DrawnEstimate> describe(const DrawnEstimate* /*type*/) {
     return Description<DrawnEstimate>(
                "drawn_estimate", "Mean, standard deviation and 95 % interval of a tension [N].")
-        .key("mean", &DrawnEstimate::mean, size)
+        .key("mean", &DrawnEstimate::mean)
         .key("std", &DrawnEstimate::std, size)
-        .key("lower", &DrawnEstimate::lower, size)
-        .key("upper", &DrawnEstimate::upper, size);
+        .key("lower", &DrawnEstimate::lower)
+        .key("upper", &DrawnEstimate::upper);
 }
 
 Description<DrawnTension> describe(const DrawnTension* /*type*/) {

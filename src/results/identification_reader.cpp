@@ -39,6 +39,7 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
                         edge.length_deviation, edge.lower, edge.upper));
     }
     require_at_most(value, "tension_lower", "tension_upper");
+    require_tensions(value, {"tension", "tension_lower", "tension_upper"}, net, edge.edge);
     return edge;
 }
 
@@ -269,11 +270,19 @@ IdentificationResult read_identification(const JsonValue& root) {
     }
     check_covariances(root, "form_covariance", result.net);
     if (root.find("tension")) {
-        static_cast<void>(
-            require_list(root, "tension", result.net.edge_count(), "a number for each edge"));
+        const Eigen::VectorXd tensions =
+            require_list(root, "tension", result.net.edge_count(), "a number for each edge");
+        for (int e = 0; e < tensions.size(); ++e) {
+            if (!result.net.is_strut(e) && tensions(e) < 0.0) {
+                member(root, "tension")
+                    .at(static_cast<size_t>(e))
+                    .fail(fmt::format("is {}, expected a number of at least 0", tensions(e)));
+            }
+        }
     }
     if (const auto mean_tension = find_unless_null(root, "mean_tension")) {
         require_at_most(*mean_tension, "lower", "upper");
+        require_tensions(*mean_tension, {"mean", "lower", "upper"}, result.net);
     }
     std::set<int> adjustable;
     for (const JsonValue& drawn : entries(root, "adjustable_edges")) {
@@ -284,6 +293,8 @@ IdentificationResult read_identification(const JsonValue& root) {
                                   edge.integer()));
         }
         require_at_most(drawn, "tension_lower", "tension_upper");
+        require_tensions(drawn, {"tension", "tension_lower", "tension_upper"}, result.net,
+                         edge.integer());
     }
     for (const JsonValue& parameter : entries(root, "uncertain")) {
         result.uncertain.push_back(read_uncertain_parameter(parameter, result.net));

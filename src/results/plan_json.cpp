@@ -45,9 +45,9 @@ Description<StageEnd> describe(const StageEnd* /*type*/) {
         .key("part", &StageEnd::part, part, "Of the strokes of its edges.")
         .key("step", TAUT_VALUE(when(it.step >= 0, it.step)),
              "The last one of the stage, from 0; null: nothing was turned so far.")
-        .key("least_tension", &StageEnd::least_tension, size,
+        .key("least_tension", &StageEnd::least_tension,
              "At its end, over all edges, in the estimate [N].")
-        .key("most_tension", &StageEnd::most_tension, size)
+        .key("most_tension", &StageEnd::most_tension)
         .key("safe_probability", &StageEnd::safe_probability, part,
              "Probability that no step until then breaks a limit; 0 or 1 without samples.");
 }
@@ -70,24 +70,25 @@ Description<ListedTurning> describe(const ListedTurning* /*type*/) {
              "From 0; in one step each crew turns at most one edge.")
         .key("reading_after", &Turn::reading_after,
              "Unstressed length then, less the designed one [m].")
-        .newer("tension_after_step", TAUT_VALUE(it.turning.tension), size,
+        .newer("tension_after_step", TAUT_VALUE(it.turning.tension),
                "Of the edge after this step [N].")
         .newer("frequency_after_step",
                TAUT_VALUE(when(it.turning.frequency > 0.0, it.turning.frequency)), size,
                "Its first natural one then; null without a mass, or where it is no string [Hz].")
-        .key("tension_after", &Turn::tension_after, size, "When all is done [N].");
+        .key("tension_after", &Turn::tension_after, "When all is done [N].");
 }
 
 Description<PlanResult::Tension> describe(const PlanResult::Tension* /*type*/) {
     using Tension = PlanResult::Tension;
-    return Description<Tension>("planned_tension", "Of an edge [N].")
+    return Description<Tension>("planned_tension",
+                                "Of an edge; negative in a compressed strut [N].")
         .key("edge", &Tension::edge)
-        .key("as_built", &Tension::as_built, size)
-        .key("planned", &Tension::planned, size)
-        .key("lower", &Tension::lower, size, "95 % interval; null without samples.")
-        .key("upper", &Tension::upper, size)
-        .key("limit_lower", &Tension::limit_lower, size)
-        .key("limit_upper", &Tension::limit_upper, size, "Null: none.");
+        .key("as_built", &Tension::as_built)
+        .key("planned", &Tension::planned)
+        .key("lower", &Tension::lower, "95 % interval; null without samples.")
+        .key("upper", &Tension::upper)
+        .key("limit_lower", &Tension::limit_lower, "Null: none, of a strut.")
+        .key("limit_upper", &Tension::limit_upper, "Null: none.");
 }
 
 Description<ReachedTension> describe(const ReachedTension* /*type*/) {
@@ -155,11 +156,14 @@ std::vector<PlanResult::Tension> tensions_of_edges(const PlanRecord& record) {
                          .planned = plan.tensions(e),
                          .lower = {},
                          .upper = {},
-                         .limit_lower = limits.lower(e),
+                         .limit_lower = {},
                          .limit_upper = {}});
         if (plan.draws > 0) {
             edges.back().lower = plan.tension_lower(e);
             edges.back().upper = plan.tension_upper(e);
+        }
+        if (!std::isinf(limits.lower(e))) {
+            edges.back().limit_lower = limits.lower(e);
         }
         if (!std::isinf(limits.upper(e))) {
             edges.back().limit_upper = limits.upper(e);
@@ -201,10 +205,10 @@ Description<PlanRecord> plan_form() {
 
 Description<PlanRecord> plan_tension() {
     return Description<PlanRecord>("", "[N].")
-        .key("least", TAUT_VALUE(it.turns->plan.tensions.minCoeff()), size)
-        .key("most", TAUT_VALUE(it.turns->plan.tensions.maxCoeff()), size)
-        .key("least_as_built", TAUT_VALUE(built_tensions(it).minCoeff()), size)
-        .key("most_as_built", TAUT_VALUE(built_tensions(it).maxCoeff()), size)
+        .key("least", TAUT_VALUE(it.turns->plan.tensions.minCoeff()))
+        .key("most", TAUT_VALUE(it.turns->plan.tensions.maxCoeff()))
+        .key("least_as_built", TAUT_VALUE(built_tensions(it).minCoeff()))
+        .key("most_as_built", TAUT_VALUE(built_tensions(it).maxCoeff()))
         .key("limit_probability", TAUT_VALUE(it.turns->plan.limit_probability), part,
              "Probability that all limits are kept; null without samples (0 or 1 in files of "
              "0.2.0).")

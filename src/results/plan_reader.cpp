@@ -15,12 +15,14 @@
 namespace taut {
 namespace {
 
-PlanResult::Tension read_tension(const JsonValue& value, int edge) {
+PlanResult::Tension read_tension(const JsonValue& value, const CableNet& net, int edge) {
     const auto tension = read<PlanResult::Tension>(value);
     if (tension.edge != edge) {
         member(value, "edge")
             .fail(fmt::format("is {}, expected {}: all edges in their order", tension.edge, edge));
     }
+    require_tensions(value, {"as_built", "planned", "lower", "upper", "limit_lower", "limit_upper"},
+                     net, edge);
     if (tension.lower.has_value() != tension.upper.has_value()) {
         value.fail("has one end of the interval of tension, expected both or none");
     }
@@ -30,9 +32,9 @@ PlanResult::Tension read_tension(const JsonValue& value, int edge) {
                         "upper",
                         *tension.lower, *tension.upper));
     }
-    if (tension.limit_upper && tension.limit_lower > *tension.limit_upper) {
+    if (tension.limit_upper && tension.limit_lower && *tension.limit_lower > *tension.limit_upper) {
         value.fail(fmt::format("has limits of tension from {} to {}, expected lower before upper",
-                               tension.limit_lower, *tension.limit_upper));
+                               *tension.limit_lower, *tension.limit_upper));
     }
     return tension;
 }
@@ -43,6 +45,7 @@ int read_turn(const JsonValue& turn, const CableNet& net) {
     if (net.interior_index(edge) >= 0) {
         member(turn, "edge").fail(fmt::format("is {}, expected an adjustable edge", edge));
     }
+    require_tensions(turn, {"tension_after_step", "tension_after"}, net, edge);
     const double stroke = member(turn, "stroke").number();
     const std::string expected(action_of(stroke));
     const JsonValue action = member(turn, "action");
@@ -70,10 +73,11 @@ PlanResult read_plan(const JsonValue& root) {
     const JsonValue tension = member(root, "tension");
     require_at_most(tension, "least", "most");
     require_at_most(tension, "least_as_built", "most_as_built");
+    require_tensions(tension, {"least", "most", "least_as_built", "most_as_built"}, plan.net);
     const JsonValue edges = member(tension, "edges");
     edges.require_array(count, fmt::format("one for each edge: {}", count));
     for (int e = 0; e < count; ++e) {
-        plan.tensions.push_back(read_tension(edges.at(e), e));
+        plan.tensions.push_back(read_tension(edges.at(e), plan.net, e));
     }
     if (const auto targets = root.find("target_tensions")) {
         int last = -1;

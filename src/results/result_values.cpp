@@ -146,4 +146,17 @@ void require_at_most(const JsonValue& parent, const char* key, const char* whole
     }
 }
 
+void require_tensions(const JsonValue& parent, std::initializer_list<const char*> keys,
+                      const CableNet& net, int edge) {
+    if (edge < 0 ? net.has_struts() : net.is_strut(edge)) {
+        return;
+    }
+    for (const char* const key : keys) {
+        if (const auto tension = optional_number(parent, key); tension && *tension < 0.0) {
+            member(parent, key)
+                .fail(fmt::format("is {}, expected a number of at least 0, or null", *tension));
+        }
+    }
+}
+
 }  // namespace taut

@@ -55,4 +55,10 @@ void require_equal(const JsonValue& parent, const char* key, int expected, std::
 /// A number of an object that is at most another one; each may be missing.
 void require_at_most(const JsonValue& parent, const char* key, const char* whole);
 
+/// Refuses a negative number or null under any of these keys, which may be missing: the tension of
+/// a cable. Negative are those of struts.
+/// @param edge of the tensions; -1: of all edges together
+void require_tensions(const JsonValue& parent, std::initializer_list<const char*> keys,
+                      const CableNet& net, int edge = -1);
+
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <random>
 #include <stdexcept>
@@ -16,7 +17,7 @@ int DataSet::with_slack() const {
 }
 
 int DataSet::not_converged() const {
-    return static_cast<int>(std::ranges::count(statuses, EquilibriumStatus::iteration_limit));
+    return static_cast<int>(std::ranges::count_if(statuses, std::not_fn(is_balanced)));
 }
 
 std::vector<int> DataSet::converged_in(int first, int last) const {
@@ -26,7 +27,7 @@ std::vector<int> DataSet::converged_in(int first, int last) const {
     }
     std::vector<int> result;
     for (int k = first; k < last; ++k) {
-        if (statuses[k] != EquilibriumStatus::iteration_limit) {
+        if (is_balanced(statuses[k])) {
             result.push_back(k);
         }
     }

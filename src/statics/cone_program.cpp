@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "statics/arguments.hpp"
@@ -241,6 +242,9 @@ ConeSolution solve_cone_program(const CableNet& net,
                                 const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                 ConeProgramSettings settings) {
     check_unstressed_lengths(net.edge_count(), unstressed_lengths);
+    if (net.has_struts()) {
+        throw std::invalid_argument("net has struts: its energy is not convex, no cone program");
+    }
     const Units units = units_for(net, unstressed_lengths);
     const Assembly assembly(net, unstressed_lengths, units, settings.form);
     const ConicSolution found = solve_conic(assembly.program(), settings.max_iterations);

@@ -27,7 +27,19 @@ constexpr double fast_contraction = 0.02;
 
 }  // namespace
 
-Descent::Descent(const LocalNet& net) : m_trial(net), m_direction(net.loads.size()) {}
+Descent::Descent(const LocalNet& net)
+    : m_trial(net),
+      m_direction(net.loads.size()),
+      m_reach(std::numeric_limits<double>::infinity()) {
+    if (!net.is_convex()) {
+        constexpr double part_of_edge = 0.25;
+        double sum = 0.0;
+        for (const auto& [s, t] : net.edges) {
+            sum += (net.nodes.col(s) - net.nodes.col(t)).norm();
+        }
+        m_reach = part_of_edge * sum / static_cast<double>(net.edges.size());
+    }
+}
 
 DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& state,
                            double relative_tolerance, DescentLimits limits,
@@ -53,6 +65,11 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
         const bool keeps_factor = may_keep && solve(stiffness, state);
         if (!keeps_factor && !find_direction(net, stiffness, state, shift)) {
             return result;
+        }
+        if (!net.is_convex()) {
+            const double farthest =
+                m_direction.reshaped(3, net.free_count).colwise().norm().maxCoeff();
+            m_direction *= std::min(1.0, m_reach / farthest);
         }
         const LineSearchStep step = search_line(net, state, m_direction, m_trial);
         if (!step.accepted) {
@@ -104,11 +121,21 @@ bool Descent::find_direction(const LocalNet& net, Stiffness& stiffness, const Ne
     return false;
 }
 
+bool is_unstable(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
+    if (net.is_convex()) {
+        return false;
+    }
+    // A loose node has no stiffness, but no negative one: a shift above rounding errors holds it.
+    stiffness.matrix.assemble(net, state.edges());
+    stiffness.matrix.add_shift(smallest_shift);
+    return !stiffness.factorize();
+}
+
 bool is_mechanism(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
     // If every edge is taut the stiffness is positive definite, since each part of the net hangs on
     // a support. Edges that are taut by rounding errors alone do not count.
     const auto clearly_taut = [](const EdgeState& e) { return e.extension > 1e-9 * e.length; };
-    if (std::ranges::all_of(state.edges(), clearly_taut)) {
+    if (net.is_convex() && std::ranges::all_of(state.edges(), clearly_taut)) {
         return false;
     }
     stiffness.matrix.assemble(net, state.edges());

@@ -26,8 +26,9 @@ struct DescentLimits {
 };
 
 /// Newton's method on the energy of a net, with a line search, and a diagonal shift if slack edges
-/// make the stiffness singular. While it converges fast, steps reuse the last factor. run() does
-/// not allocate, except for a large net.
+/// make the stiffness singular or struts make it indefinite. With struts no node moves farther in a
+/// step than a quarter of the mean edge. While it converges fast, steps reuse the last factor.
+/// run() does not allocate, except for a large net.
 class Descent {
 public:
     explicit Descent(const LocalNet& net);
@@ -47,7 +48,11 @@ private:
 
     NetState m_trial;  ///< at the form that the line search tries
     Eigen::VectorXd m_direction;
+    double m_reach;  ///< largest move of a node in a step [m]
 };
+
+/// Whether struts give way: the stiffness of a net in equilibrium has a negative eigenvalue.
+[[nodiscard]] bool is_unstable(const LocalNet& net, Stiffness& stiffness, const NetState& state);
 
 /// Whether slack edges leave nodes of a net in equilibrium loose: its stiffness is singular up to
 /// rounding errors.

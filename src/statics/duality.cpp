@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "numerics/sparse_cholesky.hpp"
@@ -140,12 +141,16 @@ EnergyCertificate certify_states(const CableNet& net,
                                  const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                  const Eigen::Ref<const Points>& form,
                                  const std::vector<EdgeState>& states, Points edge_forces) {
+    if (net.has_struts()) {
+        throw std::invalid_argument(
+            "net has struts: its energy is not convex, and has no certificate");
+    }
     const Points springs = elastic_forces(net, form);
     BalancingForces forces{.edges = std::move(edge_forces), .springs = springs};
     Eigen::VectorXd stiffness =
         slack_share * net.axial_stiffness().cwiseQuotient(unstressed_lengths);
     for (int e = 0; e < net.edge_count(); ++e) {
-        if (states[e].taut()) {
+        if (states[e].carries()) {
             stiffness(e) = std::max(stiffness(e), states[e].axial);
         }
     }

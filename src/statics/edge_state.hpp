@@ -15,28 +15,34 @@ namespace taut {
 struct EdgeState {
     Eigen::Vector3d direction;  ///< u = (r_s - r_t) / l; zero if the ends coincide
     double length;              ///< l [m]
-    double extension;           ///< max(0, l - l_0) [m]
+    double extension;           ///< max(0, l - l_0), of a strut l - l_0 [m]
     double axial;               ///< dT/dl, axial stiffness, EA / l_0; also if slack [N/m]
-    double tension;             ///< T [N]
+    double tension;             ///< T, negative in a compressed strut [N]
+    bool is_strut;
 
-    [[nodiscard]] bool taut() const { return extension > 0.0; }
+    /// Whether the edge carries force: a taut cable, or a strut.
+    [[nodiscard]] bool carries() const { return extension > 0.0 || is_strut; }
     /// T / l, stiffness across the edge [N/m].
-    [[nodiscard]] double force_density() const { return taut() ? tension / length : 0.0; }
+    [[nodiscard]] double force_density() const {
+        return carries() && length > 0.0 ? tension / length : 0.0;
+    }
 };
 
 /// @param law null: linear, with the axial stiffness
 inline EdgeState edge_state(const Eigen::Vector3d& source, const Eigen::Vector3d& target,
-                            double axial_stiffness, double unstressed_length,
-                            const TensionLaw* law) {
+                            double axial_stiffness, double unstressed_length, const TensionLaw* law,
+                            bool is_strut) {
     const Eigen::Vector3d vector = source - target;
     const double length = vector.norm();
-    const double extension = std::max(0.0, length - unstressed_length);
+    const double stretch = length - unstressed_length;
+    const double extension = is_strut ? stretch : std::max(0.0, stretch);
     EdgeState state{
         .direction = length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(),
         .length = length,
         .extension = extension,
         .axial = axial_stiffness / unstressed_length,
-        .tension = axial_stiffness / unstressed_length * extension};
+        .tension = axial_stiffness / unstressed_length * extension,
+        .is_strut = is_strut};
     if (law != nullptr) {
         const auto [tension, slope] = law->at(extension / unstressed_length);
         state.axial = slope / unstressed_length;
@@ -74,7 +80,7 @@ inline std::vector<EdgeState> edge_states(
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
         states.push_back(edge_state(form.col(s), form.col(t), net.axial_stiffness()(e),
-                                    unstressed_lengths(e), net.tension_law(e)));
+                                    unstressed_lengths(e), net.tension_law(e), net.is_strut(e)));
     }
     return states;
 }

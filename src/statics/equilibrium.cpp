@@ -21,11 +21,11 @@ constexpr DescentLimits plain_descent{.max_steps = 30, .max_short_steps = 1};
 
 /// The residual forces may be rounding errors of the coordinates. If these are as large as the
 /// tensions, the tensions are not known. Strains below a billionth do not count as tension.
-bool is_small_beside_tensions(double out_of_balance, const LocalNet& net, double mean_tension) {
+bool is_small_beside_tensions(double out_of_balance, const LocalNet& net, double mean_force) {
     constexpr double largest_share = 1e-4;
     constexpr double least_strain = 1e-9;
     const double loads = net.loads.reshaped(3, net.free_count).colwise().norm().mean();
-    const double scale = std::max({mean_tension, loads, least_strain * net.axial_stiffness.mean()});
+    const double scale = std::max({mean_force, loads, least_strain * net.axial_stiffness.mean()});
     return out_of_balance <= largest_share * scale;
 }
 
@@ -37,6 +37,8 @@ std::string_view to_string(EquilibriumStatus status) {
             return "converged";
         case EquilibriumStatus::slack_mechanism:
             return "slack mechanism";
+        case EquilibriumStatus::unstable:
+            return "unstable";
         case EquilibriumStatus::iteration_limit:
             return "iteration limit";
     }
@@ -113,10 +115,10 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
         return balanced;
     };
     const int limit = w.settings.max_iterations;
-    DescentLimits at_first = plain_descent;
+    DescentLimits at_first = w.net.is_convex() ? plain_descent : DescentLimits{.max_steps = limit};
     at_first.max_steps = std::min(at_first.max_steps, limit);
     bool balanced = descend(at_first);
-    if (!balanced && result.iterations < limit) {
+    if (!balanced && w.net.is_convex() && result.iterations < limit) {
         // Half of what is left: Newton's method has the last word.
         result.iterations +=
             w.approach((limit - result.iterations + 1) / 2, result.energy_decreases);
@@ -133,9 +135,11 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
     result.out_of_balance = state.largest_force();
     result.mean_tension = state.mean_tension();
     result.slack_edges = state.slack_edges();
-    if (balanced && is_small_beside_tensions(result.out_of_balance, w.net, result.mean_tension)) {
-        result.status = is_mechanism(w.net, w.stiffness, state) ? EquilibriumStatus::slack_mechanism
-                                                                : EquilibriumStatus::converged;
+    if (balanced && is_small_beside_tensions(result.out_of_balance, w.net, state.mean_force())) {
+        result.status = is_unstable(w.net, w.stiffness, state) ? EquilibriumStatus::unstable
+                        : is_mechanism(w.net, w.stiffness, state)
+                            ? EquilibriumStatus::slack_mechanism
+                            : EquilibriumStatus::converged;
     }
     return result;
 }

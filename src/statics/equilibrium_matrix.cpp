@@ -47,7 +47,7 @@ StressStates stress_states(const CableNet& net,
     const auto states = edge_states(net, unstressed_lengths, form);
     std::vector<int> taut_edges;
     for (int e = 0; e < net.edge_count(); ++e) {
-        if (states[e].taut()) {
+        if (states[e].carries()) {
             taut_edges.push_back(e);
         }
     }

@@ -27,7 +27,7 @@ struct FormSensitivity::Factor {
     /// -dh_s/dl_0 = dh_t/dl_0 of an edge (s, t) [N/m].
     [[nodiscard]] Eigen::Vector3d force_rate(int edge) const {
         const EdgeState& state = states[edge];
-        if (!state.taut()) {
+        if (!state.carries()) {
             return Eigen::Vector3d::Zero();
         }
         return state.axial * state.length / lengths(edge) * state.direction;
@@ -67,7 +67,7 @@ struct FormSensitivity::Factor {
     /// @param v change of l_0 [m]
     [[nodiscard]] RateChange rate_change(int edge, const Eigen::Vector3d& a, double v) const {
         const EdgeState& state = states[edge];
-        if (!state.taut()) {
+        if (!state.carries()) {
             return {.stiffness = Eigen::Matrix3d::Zero(), .force_rate = Eigen::Vector3d::Zero()};
         }
         const Eigen::Vector3d& u = state.direction;
@@ -198,7 +198,7 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
     }
     for (int e = 0; e < f.lengths.size(); ++e) {
         const EdgeState& state = f.states[e];
-        if (!state.taut()) {
+        if (!state.carries()) {
             continue;
         }
         const Eigen::Vector3d multiplier = f.across(e, multipliers);

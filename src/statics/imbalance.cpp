@@ -20,7 +20,10 @@ Imbalance imbalance(const CableNet& net,
                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                     const Eigen::Ref<const Points>& form) {
     const Eigen::VectorXd forces = out_of_balance_forces(net, unstressed_lengths, form);
-    const Eigen::VectorXd tension = tensions(net, unstressed_lengths, form);
+    Eigen::VectorXd tension = tensions(net, unstressed_lengths, form);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        tension(e) = net.is_strut(e) ? 0.0 : tension(e);
+    }
     const auto taut_count = static_cast<double>((tension.array() > 0.0).count());
     return {.largest = forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff(),
             .mean_tension = taut_count > 0.0 ? tension.sum() / taut_count : 0.0};

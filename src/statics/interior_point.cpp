@@ -62,8 +62,8 @@ double mean_stretch_energy(const NetState& state) {
     double sum = 0.0;
     for (size_t e = 0; e < state.edges().size(); ++e) {
         const EdgeState& edge = state.edges()[e];
-        sum += edge.taut() ? edge.tension * edge.extension
-                           : edge.axial * stretch(state, e) * stretch(state, e);
+        sum += edge.carries() ? edge.tension * edge.extension
+                              : edge.axial * stretch(state, e) * stretch(state, e);
     }
     return sum / static_cast<double>(state.edges().size());
 }

@@ -28,11 +28,11 @@ LineSearchStep search_line(const LocalNet& net, const NetState& state,
         trial.update(net);
         const double trial_slope = trial.forces().dot(direction);
         const double decrease = -trial.energy_above(state, net);
-        // V is convex: if it still falls at the trial point, it fell all the way. This test needs
-        // no difference of energies, so it works if rounding errors hide the decrease. If they hide
-        // any decrease, the smaller slope is better. Otherwise the Armijo rule decides.
-        if (trial_slope <= 0.0 || decrease >= -armijo * length * slope ||
-            (drowned && trial_slope <= -slope)) {
+        // Where V is convex and still falls at the trial point, it fell all the way. This test
+        // needs no difference of energies, so it works if rounding errors hide the decrease. If
+        // they hide any decrease, the smaller slope is better. Otherwise the Armijo rule decides.
+        if ((net.is_convex() && trial_slope <= 0.0) || decrease >= -armijo * length * slope ||
+            (drowned && std::abs(trial_slope) <= -slope)) {
             return {.accepted = std::isfinite(trial_slope),
                     .length = length,
                     .energy_decrease = decrease};

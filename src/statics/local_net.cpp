@@ -46,6 +46,9 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     local.axial_stiffness = net.axial_stiffness();
     local.laws = net.data().tension_laws;
     local.law_of_edge = net.data().tension_law;
+    for (const EdgeKind kind : net.data().kind) {
+        local.struts.push_back(kind == EdgeKind::strut);
+    }
     local.supports = net.nodes()(Eigen::all, net.supports());
     const Points places = net.support_places();
     const Eigen::Vector3d middle = places.rowwise().mean();

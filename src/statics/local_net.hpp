@@ -26,6 +26,7 @@ struct LocalNet {
     Eigen::VectorXd axial_stiffness;  ///< m [N]
     std::vector<TensionLaw> laws;     ///< of the net
     std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; empty if all are
+    std::vector<bool> struts;         ///< m; empty if there are none
     Eigen::VectorXd loads;            ///< 3 free_count [N]
     std::vector<Spring> springs;      ///< of elastic supports
     /// Subtracted from all coordinates. The middle of the supports if the net lies so far from zero
@@ -51,6 +52,10 @@ struct LocalNet {
     [[nodiscard]] const TensionLaw* law(size_t edge) const {
         return law_of_edge.empty() || law_of_edge[edge] < 0 ? nullptr : &laws[law_of_edge[edge]];
     }
+
+    /// Whether the energy is convex: all edges are cables.
+    [[nodiscard]] bool is_convex() const { return struts.empty(); }
+    [[nodiscard]] bool is_strut(size_t edge) const { return !struts.empty() && struts[edge]; }
 
     /// Copies coordinates from the net's numbering to this one, moved within reach; supports from
     /// the net.

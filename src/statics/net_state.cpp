@@ -41,19 +41,21 @@ void NetState::set_unstressed_lengths(const LocalNet& net,
 void NetState::update(const LocalNet& net) {
     m_forces = -net.loads;
     net.add_spring_forces(m_form, m_forces);
-    m_tension_sum = 0.0;
-    m_slack_count = 0;
+    m_taut_cables = {};
+    m_all_forces = {};
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const auto [s, t] = net.edges[e];
         const auto edge = static_cast<Eigen::Index>(e);
         m_edges[e] = edge_state(m_form.col(s), m_form.col(t), net.axial_stiffness(edge),
-                                m_unstressed_lengths(edge), net.law(e));
-        if (!m_edges[e].taut()) {
-            ++m_slack_count;
+                                m_unstressed_lengths(edge), net.law(e), net.is_strut(e));
+        if (!m_edges[e].carries()) {
             continue;
         }
         const double tension = m_edges[e].tension;
-        m_tension_sum += tension;
+        m_all_forces.add(std::abs(tension));
+        if (!m_edges[e].is_strut) {
+            m_taut_cables.add(tension);
+        }
         const Eigen::Vector3d force = tension * m_edges[e].direction;
         if (s < net.free_count) {
             m_forces.segment<3>(Eigen::Index{3} * s) += force;
@@ -71,7 +73,7 @@ double NetState::largest_force() const {
 std::vector<int> NetState::slack_edges() const {
     std::vector<int> slack;
     for (size_t e = 0; e < m_edges.size(); ++e) {
-        if (!m_edges[e].taut()) {
+        if (!m_edges[e].carries()) {
             slack.push_back(static_cast<int>(e));
         }
     }
@@ -79,8 +81,11 @@ std::vector<int> NetState::slack_edges() const {
 }
 
 double NetState::mean_tension() const {
-    const auto taut_count = static_cast<double>(m_edges.size()) - m_slack_count;
-    return taut_count > 0.0 ? m_tension_sum / taut_count : 0.0;
+    return m_taut_cables.mean();
+}
+
+double NetState::mean_force() const {
+    return m_all_forces.mean();
 }
 
 double NetState::stretch_energy() const {
@@ -89,19 +94,19 @@ double NetState::stretch_energy() const {
 }
 
 double NetState::imbalance(const LocalNet& net, double relative_tolerance) const {
-    const double tension = mean_tension();
+    const double force = mean_force();
     const double scale =
-        tension > 0.0 ? tension : net.loads.reshaped(3, net.free_count).colwise().norm().mean();
+        force > 0.0 ? force : net.loads.reshaped(3, net.free_count).colwise().norm().mean();
     // The smaller of both: nominal coordinates far off must not loosen the bound, nor must a form
     // that diverges.
     const double coordinate =
         std::min(m_form.cwiseAbs().maxCoeff(), net.nodes.cwiseAbs().maxCoeff());
     double largest = 0.0;
     for (int i = 0; i < net.free_count; ++i) {
-        const double force = m_forces.segment<3>(Eigen::Index{3} * i).norm() /
-                             (relative_tolerance * scale + coordinate * m_rounding(i));
-        if (!(force <= largest)) {  // also for NaN, which is never balanced
-            largest = force;
+        const double at_node = m_forces.segment<3>(Eigen::Index{3} * i).norm() /
+                               (relative_tolerance * scale + coordinate * m_rounding(i));
+        if (!(at_node <= largest)) {  // also for NaN, which is never balanced
+            largest = at_node;
         }
         if (!std::isfinite(largest)) {
             return std::numeric_limits<double>::infinity();

@@ -29,12 +29,14 @@ public:
     /// Largest norm of the forces h_s over the free nodes [N].
     [[nodiscard]] double largest_force() const;
     [[nodiscard]] std::vector<int> slack_edges() const;
-    /// Over the taut edges; 0 if all are slack [N].
+    /// Over the taut cables; 0 if all are slack [N].
     [[nodiscard]] double mean_tension() const;
+    /// Mean size of the forces in taut cables and struts; 0 if there are none [N].
+    [[nodiscard]] double mean_force() const;
     /// Sum over the edges of 1/2 T (l - l_0): the elastic energy of linear edges [J].
     [[nodiscard]] double stretch_energy() const;
     /// Largest force h_s, in units of the force that counts as balanced at its node: the tolerance
-    /// times the mean tension (the mean load if all edges are slack), plus the rounding error of
+    /// times mean_force() (the mean load if that is 0), plus the rounding error of
     /// the coordinates times the axial stiffness of the node.
     [[nodiscard]] double imbalance(const LocalNet& net, double relative_tolerance) const;
 
@@ -47,8 +49,17 @@ private:
     std::vector<EdgeState> m_edges;
     Eigen::VectorXd m_forces;
     Eigen::VectorXd m_rounding;  ///< n_I, force by rounding errors of a coordinate of 1 m [N/m]
-    double m_tension_sum = 0.0;
-    int m_slack_count = 0;
+    struct Sum {
+        double force = 0.0;
+        int count = 0;
+        void add(double of_one) {
+            force += of_one;
+            ++count;
+        }
+        [[nodiscard]] double mean() const { return count > 0 ? force / count : 0.0; }
+    };
+    Sum m_taut_cables;
+    Sum m_all_forces;  ///< sizes, of cables and struts
 };
 
 }  // namespace taut

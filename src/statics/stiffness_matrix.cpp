@@ -37,7 +37,7 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
         const EdgeState& state = states[e];
         const double across = state.force_density();
         Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-        if (state.taut()) {
+        if (state.carries()) {
             const double x = state.direction.x();
             const double y = state.direction.y();
             const double z = state.direction.z();

@@ -32,11 +32,21 @@ std::vector<int> slack_edges(const CableNet& net,
     const auto states = edge_states(net, unstressed_lengths, form);
     std::vector<int> result;
     for (size_t e = 0; e < states.size(); ++e) {
-        if (!states[e].taut()) {
+        if (!states[e].carries()) {
             result.push_back(static_cast<int>(e));
         }
     }
     return result;
+}
+
+Eigen::VectorXd mean_weights(const CableNet& net) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        weights(e) = net.is_strut(e) ? 0.0 : 1.0;
+    }
+    const double count = weights.sum();
+    return count > 0.0 ? Eigen::VectorXd(weights / count)
+                       : Eigen::VectorXd::Constant(net.edge_count(), 1.0 / net.edge_count());
 }
 
 }  // namespace taut

@@ -104,7 +104,16 @@ public:
         state.most_tension = tension.maxCoeff();
         // A plan may lead right up to a limit, and forms are as exact as their equilibrium.
         constexpr double rounding = 1e-6;
-        for (const double t : tension) {
+        const Eigen::VectorXd& buckling = m_net.data().buckling_load;
+        for (int e = 0; e < tension.size(); ++e) {
+            const double t = tension(e);
+            if (m_net.is_strut(e)) {
+                if (buckling.size() > 0 && -t > (1.0 + rounding) * buckling(e)) {
+                    ++state.broken;
+                    state.worst_excess = std::max(state.worst_excess, -t / buckling(e) - 1.0);
+                }
+                continue;
+            }
             const double low = m_settings.least_tension - t;
             const double high = m_settings.most_tension > 0.0 ? t - m_settings.most_tension : -1.0;
             // An edge without tension is slack, which always breaks a limit.
@@ -176,9 +185,13 @@ private:
         limits.longest_stroke -= m_planned_strokes;
         limits.shortest_stroke = limits.shortest_stroke.cwiseMin(0.0);
         limits.longest_stroke = limits.longest_stroke.cwiseMax(0.0);
-        limits.tension.lower.setConstant(m_settings.least_tension);
-        if (m_settings.most_tension > 0.0) {
-            limits.tension.upper.setConstant(m_settings.most_tension);
+        for (int e = 0; e < m_net.edge_count(); ++e) {
+            if (!m_net.is_strut(e)) {
+                limits.tension.lower(e) = m_settings.least_tension;
+                if (m_settings.most_tension > 0.0) {
+                    limits.tension.upper(e) = m_settings.most_tension;
+                }
+            }
         }
         return limits;
     }

@@ -43,9 +43,17 @@ void check_forces(const CableNet& net, const Forces& forces) {
     std::vector<bool> measured(net.edge_count(), false);
     for (const int edge : forces.taut) {
         mark(net, taut, edge, "seen taut is");
+        if (net.is_strut(edge)) {
+            throw std::invalid_argument(
+                fmt::format("edge '{}' is seen taut, but it is a strut", net.edge_id(edge)));
+        }
     }
     for (const int edge : forces.slack) {
         mark(net, slack, edge, "seen slack is");
+        if (net.is_strut(edge)) {
+            throw std::invalid_argument(
+                fmt::format("edge '{}' is seen slack, but it is a strut", net.edge_id(edge)));
+        }
         if (taut[edge]) {
             throw std::invalid_argument(
                 fmt::format("edge '{}' is seen both taut and slack", net.edge_id(edge)));
@@ -53,7 +61,14 @@ void check_forces(const CableNet& net, const Forces& forces) {
     }
     for (const ForceMeasurement& measurement : forces.measurements) {
         mark(net, measured, measurement.edge, "the tension is measured of");
-        if (!(measurement.tension >= 0.0) || !std::isfinite(measurement.tension)) {
+        const bool is_strut = net.is_strut(measurement.edge);
+        if (is_strut && measurement.is_by_mass()) {
+            throw std::invalid_argument(fmt::format(
+                "edge '{}' is a strut, expected a load cell: frequency and sag show the "
+                "tension of cables",
+                net.edge_id(measurement.edge)));
+        }
+        if (!(measurement.tension >= 0.0 || is_strut) || !std::isfinite(measurement.tension)) {
             throw std::invalid_argument(
                 fmt::format("the tension of edge '{}' is measured as {} N, expected 0 or more",
                             net.edge_id(measurement.edge), measurement.tension));

@@ -49,6 +49,32 @@ CableNet grouped(bool has_breaking_load = true) {
     return CableNet(data);
 }
 
+TEST(LimitsOfStruts, AreTheirBucklingLoadsAndWhatIsAskedOfTheirGroup) {
+    CableNetData data = cable_dome().data();
+    const int strut = data.groups.at("strut")[3];
+    data.buckling_load = Eigen::VectorXd::Constant(std::ssize(data.edges), infinity);
+    data.buckling_load(strut) = 4e4;
+    const CableNet net(std::move(data));
+    PlanRequest request;
+    request.tension = {{.least = newtons(1e3), .most = newtons(9e4)}};
+    const TensionLimits by_default = resolve(net, net, request).limits.tension;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        EXPECT_EQ(by_default.lower(e), e == strut ? -4e4 : net.is_strut(e) ? -infinity : 1e3);
+        EXPECT_EQ(by_default.upper(e), net.is_strut(e) ? infinity : 9e4);
+    }
+    request.tension = {{.least = newtons(-2e4), .most = newtons(-1e3), .group = "strut"}};
+    const TensionLimits of_group = resolve(net, net, request).limits.tension;
+    EXPECT_EQ(of_group.lower(strut), -2e4);
+    EXPECT_EQ(of_group.upper(strut), -1e3);
+    EXPECT_EQ(of_group.lower(net.data().groups.at("ridge")[0]), 0.0);
+    request.tension = {{.least = newtons(-2e4), .group = "ridge"}};
+    EXPECT_THAT([&] { (void)resolve(net, net, request); },
+                ThrowsMessage<RequestError>(HasSubstr("only struts carry compression")));
+    request.tension = {{.least = newtons(-2e4)}};
+    EXPECT_THAT([&] { (void)resolve(net, net, request); },
+                ThrowsMessage<RequestError>(HasSubstr("0 or more")));
+}
+
 class PlanRequestOfAHypar : public ::testing::Test {
 protected:
     [[nodiscard]] Limits limits_of(const PlanRequest& request) const {

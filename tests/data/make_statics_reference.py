@@ -7,7 +7,8 @@
 
 Made with SciPy 1.17.1. The energy is written down once more here, without a line
 of taut. SciPy minimises it by a trust region method, then finds the root of the forces by Powell's
-hybrid method; the form counts when no force at a node exceeds 1e-12 of the largest tension.
+hybrid method; the form counts when no force at a node exceeds 1e-12 of the largest tension, and it is
+stable. With struts the energy has other minima; the start decides.
 """
 
 import json
@@ -21,9 +22,12 @@ from scipy.optimize import minimize, root
 
 class Net:
     """Nodes (n x 3), supports, edges (m x 2), EA and l_0 (m), loads (n x 3); springs: a list of a
-    free node, its stiffness (3 x 3) and its place without load (3)."""
+    free node, its stiffness (3 x 3) and its place without load (3); struts: edges that carry
+    compression, too."""
 
-    def __init__(self, name, nodes, supports, edges, axial_stiffness, lengths, loads, springs=()):
+    def __init__(
+        self, name, nodes, supports, edges, axial_stiffness, lengths, loads, springs=(), struts=()
+    ):
         self.name = name
         self.nodes = np.array(nodes, float)
         self.supports = sorted(supports)
@@ -33,6 +37,7 @@ class Net:
         self.loads = np.array(loads, float)
         self.springs = [(node, np.array(k, float), np.array(at, float)) for node, k, at in springs]
         self.free = [i for i in range(len(nodes)) if i not in supports]
+        self.is_strut = np.isin(np.arange(len(edges)), struts)
 
     def form(self, x):
         form = self.nodes.copy()
@@ -44,11 +49,13 @@ class Net:
         form = self.form(x)
         vectors = form[self.edges[:, 0]] - form[self.edges[:, 1]]
         lengths = np.linalg.norm(vectors, axis=1)
-        return vectors, lengths, self.stiffness * np.maximum(0.0, lengths / self.lengths - 1.0)
+        strain = lengths / self.lengths - 1.0
+        strain = np.where(self.is_strut, strain, np.maximum(0.0, strain))
+        return vectors, lengths, self.stiffness * strain
 
     def energy(self, x):
-        _, lengths, _ = self.edges_at(x)
-        stretch = np.maximum(0.0, lengths - self.lengths)
+        _, _, tensions = self.edges_at(x)
+        stretch = tensions * self.lengths / self.stiffness
         work = np.sum(self.loads[self.free] * self.form(x)[self.free])
         shifts = [(self.form(x)[node] - place, k) for node, k, place in self.springs]
         of_springs = sum(0.5 * shift @ k @ shift for shift, k in shifts)
@@ -71,7 +78,7 @@ class Net:
         for (s, t), vector, length, tension, axial in zip(
             self.edges, vectors, lengths, tensions, self.stiffness / self.lengths
         ):
-            if tension > 0.0:
+            if tension != 0.0:
                 along = np.outer(vector, vector) / length**2
                 block = axial * along + tension / length * (np.eye(3) - along)
                 for i, j, sign in ((s, s, 1), (t, t, 1), (s, t, -1), (t, s, -1)):
@@ -94,7 +101,8 @@ class Net:
         _, _, tensions = self.edges_at(x)
         worst = np.linalg.norm(self.forces(x).reshape(-1, 3), axis=1).max()
         assert worst < 1e-12 * tensions.max(), f"{self.name}: {worst} N of {tensions.max()} N"
-        slack = np.flatnonzero(tensions == 0.0)
+        slack = np.flatnonzero((tensions == 0.0) & ~self.is_strut)
+        assert np.linalg.eigvalsh(self.hessian(x)).min() > 0.0, f"{self.name}: not stable"
         print(f"{self.name}: {len(self.free)} free nodes, slack edges {slack.tolist()}")
         return {
             "name": self.name,
@@ -108,6 +116,7 @@ class Net:
                 {"node": node, "stiffness": k.tolist(), "place": place.tolist()}
                 for node, k, place in self.springs
             ],
+            "struts": np.flatnonzero(self.is_strut).tolist(),
             "form": self.form(x).tolist(),
             "tensions": tensions.tolist(),
             "slack_edges": slack.tolist(),
@@ -179,8 +188,42 @@ def on_springs(random):
     return Net("springs", net.nodes, rigid, net.edges, net.stiffness, net.lengths, net.loads, springs)
 
 
+def simplex():
+    """Three struts and three cables up to a ring of three, loaded; one foot is on a spring."""
+    angles = np.radians([0.0, 120.0, 240.0, 30.0, 150.0, 270.0])
+    nodes = [[1.18 * np.cos(a), 1.18 * np.sin(a), 1.95 * (k > 2)] for k, a in enumerate(angles)]
+    nodes = np.round(nodes, 4)
+    edges = [(0, 4), (1, 5), (2, 3), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5), (1, 2)]
+    forces = np.array([-6000.0] * 3 + [2358.0] * 3 + [4086.0] * 3 + [2358.0])
+    stiffness = np.array([25.65e6] * 3 + [3.609e6] * 3 + [3.631e6] * 3 + [3.609e6])
+    lengths = distances(nodes, edges) / (1.0 + forces / stiffness)
+    loads = [[0, 0, 0]] * 3 + [[20.0, 0.0, -100.0], [0.0, 15.0, -50.0], [0.0, 0.0, -300.0]]
+    spring = (1, np.diag([5e5, 8e5, 2e6]), nodes[1] + [0.004, -0.002, 0.001])
+    return Net("simplex", nodes, [0, 2], edges, stiffness, lengths.round(6), loads, [spring], [0, 1, 2])
+
+
+def mast():
+    """A mast of two struts on top of each other, held by four guys at either level, in the wind."""
+    nodes = [[0, 0, 4.0], [0, 0, 8.0], [0, 0, 0]]
+    nodes += [[5 * x, 5 * y, 0.2 * x] for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    edges = [(2, 0), (0, 1)] + [(level, 3 + k) for level in (0, 1) for k in range(4)]
+    strain = np.array([-2e-4, -1e-4] + [2e-3] * 4 + [1.5e-3] * 4)
+    stiffness = [80e6, 60e6] + [3e6] * 4 + [2e6] * 4
+    lengths = distances(nodes, edges) / (1.0 + strain)
+    loads = np.zeros((7, 3))
+    loads[:2] = [[900.0, 300.0, -500.0], [700.0, -200.0, -400.0]]
+    return Net("mast", nodes, [2, 3, 4, 5, 6], edges, stiffness, lengths.round(6), loads, (), [0, 1])
+
+
 def main():
-    nets = [grid(np.random.default_rng(1)), chain(), tripod(), on_springs(np.random.default_rng(2))]
+    nets = [
+        grid(np.random.default_rng(1)),
+        chain(),
+        tripod(),
+        on_springs(np.random.default_rng(2)),
+        simplex(),
+        mast(),
+    ]
     reference = {
         "SPDX-FileCopyrightText": "2026 The taut authors",
         "SPDX-License-Identifier": "MIT",

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "support/balance.hpp"
+#include "taut/statics/equilibrium.hpp"
 
 namespace taut {
 namespace {
@@ -63,6 +64,30 @@ TEST(SteelRoof, HasStrandsOnBothSlopesOfTheirLaws) {
         edge_lengths(net, net.nodes()).array() - net.unstressed_lengths().array();
     EXPECT_GT(stretch.minCoeff(), 0.002);
     EXPECT_LT(stretch.maxCoeff(), 0.02);
+}
+
+TEST(NetsWithStruts, AreInEquilibriumAndTautWithPressedStruts) {
+    for (const char* const name : {"cable-dome", "spoke-wheel", "tensegrity-simplex"}) {
+        const CableNet net = builtin_net(name);
+        const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+        for (int e = 0; e < net.edge_count(); ++e) {
+            EXPECT_EQ(tension(e) < 0.0, net.is_strut(e)) << name << ' ' << e;
+        }
+        EXPECT_LT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10) << name;
+        EXPECT_EQ(solve_equilibrium(net).status, EquilibriumStatus::converged) << name;
+        EXPECT_EQ(net.name(), name);
+    }
+}
+
+TEST(TensegritySimplex, HasThePublishedSelfStress) {
+    const CableNet net = tensegrity_simplex();
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    const auto of = [&](const char* group) {
+        return tension(net.data().groups.at(group).back()) / -tension(0);
+    };
+    EXPECT_NEAR(of("strut"), -1.0, 1e-9);
+    EXPECT_NEAR(of("horizontal"), 0.393, 1e-3);
+    EXPECT_NEAR(of("vertical"), 0.681, 1e-3);
 }
 
 TEST(Hypar, TakesItsLargestSize) {

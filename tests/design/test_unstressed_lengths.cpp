@@ -32,6 +32,12 @@ TEST(UnstressedLengths, AreThoseOfTheFormula) {
     EXPECT_TRUE(Edges().unstressed_lengths().isApprox(Eigen::Vector3d(1.0, 0.5, 2.4), 1e-15));
 }
 
+TEST(UnstressedLengths, OfAPressedStrutAreLonger) {
+    Edges edges;
+    edges.tensions(2) = -250.0;
+    EXPECT_DOUBLE_EQ(edges.unstressed_lengths()(2), 4.0);
+}
+
 TEST(UnstressedLengths, RefuseWrongSizesAndValues) {
     const auto expect_refused = [](const auto& change, const char* words) {
         Edges edges;
@@ -50,11 +56,12 @@ TEST(UnstressedLengths, RefuseWrongSizesAndValues) {
                        ("edge 1 has length " + number + " m").c_str());
         expect_refused([v = value](Edges& e) { e.axial_stiffness(2) = v; },
                        ("axial stiffness " + number + " N").c_str());
-        if (value != 0.0) {
+        if (!std::isfinite(value)) {
             expect_refused([v = value](Edges& e) { e.tensions(1) = v; },
                            ("tension " + number + " N").c_str());
         }
     }
+    expect_refused([](Edges& e) { e.tensions(2) = -1e3; }, "tension -1000 N");  // -EA
 }
 
 }  // namespace

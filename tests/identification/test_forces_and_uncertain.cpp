@@ -164,6 +164,67 @@ INSTANTIATE_TEST_SUITE_P(Map, UncertainParameters,
                                                      "temperature:15K", "adjustable:0.5mm",
                                                      "loads:20N"}));
 
+TEST(Struts, AreIdentifiedWithTheCables) {
+    const CableNet net = cable_dome();
+    std::vector<UncertainParameter> uncertain;
+    for (const char* text : {"stiffness:5%", "stiffness-each:5%", "adjustable:0.5mm"}) {
+        uncertain.push_back(parse_uncertain_parameter(text));
+    }
+    Count lengths;
+    Count of_cables;
+    Count of_struts;
+    Count mean;
+    for (int k = 0; k < 16; ++k) {
+        const Built truth = built(net, uncertain, 300 + k);
+        const Identification found =
+            identify(net, truth.simulated.survey, options_with(uncertain, 100));
+        ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+        EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
+        for (size_t i = 0; i < found.edges.size(); ++i) {
+            const IdentifiedEdge& edge = found.edges[i];
+            const double deviation = truth.simulated.deviations(static_cast<Eigen::Index>(i));
+            lengths.add(edge.lower <= deviation && deviation <= edge.upper);
+            EXPECT_NE(edge.status, EdgeStatus::slack);
+        }
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->reason;
+        for (const DrawnTension& drawn : found.drawn.tensions) {
+            const double tension = truth.tensions(drawn.edge);
+            (net.is_strut(drawn.edge) ? of_struts : of_cables)
+                .add(drawn.tension.lower <= tension && tension <= drawn.tension.upper);
+            EXPECT_EQ(drawn.tension.upper < 0.0, net.is_strut(drawn.edge));
+            EXPECT_EQ(drawn.slack_probability, 0.0);
+        }
+        const double true_mean = mean_weights(net).dot(truth.tensions);
+        mean.add(found.drawn.mean_tension.lower <= true_mean &&
+                 true_mean <= found.drawn.mean_tension.upper);
+    }
+    EXPECT_NEAR(lengths.part(), 0.95, 0.03);
+    // The dome has one state of self-stress: in a survey almost all tensions are inside, or none.
+    EXPECT_GE(of_cables.part(), 0.85);
+    EXPECT_GE(of_struts.part(), 0.85);
+    EXPECT_GE(mean.part(), 0.75);
+}
+
+TEST(Struts, MayBeMeasuredInCompression) {
+    const CableNet net = cable_dome();
+    const int strut = net.data().groups.at("strut")[4];
+    const Built truth = built(net, {}, 9);
+    IdentifyOptions options = options_with({}, 100);
+    const auto std_of_strut = [&](const Identification& found) {
+        return found.drawn.tensions[strut].tension.std;
+    };
+    const double without = std_of_strut(identify(net, truth.simulated.survey, options));
+    options.forces.measurements = {
+        {.edge = strut, .tension = truth.tensions(strut), .std = 0.2 * without}};
+    const Identification found = identify(net, truth.simulated.survey, options);
+    EXPECT_LT(std_of_strut(found), 0.3 * without);
+    EXPECT_NEAR(found.drawn.tensions[strut].tension.mean, truth.tensions(strut), without);
+    options.forces.measurements = {};
+    options.forces.slack = {strut};
+    EXPECT_THAT([&] { (void)identify(net, truth.simulated.survey, options); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("it is a strut")));
+}
+
 TEST(ElasticSupports, MoveWithTheFrameOfTheSurvey) {
     const CableNet net = on_springs(loaded_net());
     const std::vector<UncertainParameter> uncertain{

@@ -14,6 +14,7 @@
 
 #include "support/errors.hpp"
 #include "support/foreign_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
 #include "taut/interchange/compas_json.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -190,14 +191,40 @@ TEST(ImportNet, TakesTheStiffnessThatIsAskedFor) {
     EXPECT_NEAR(net.axial_stiffness()(1), 200e9 * std::numbers::pi * 16e-6, 1e-6);
 }
 
-TEST(ImportNet, RefusesAnEdgeInCompressionByItsName) {
+TEST(ImportNet, TakesEdgesInCompressionForStruts) {
     json file = old_compas_mesh();
     file["edgedata"]["(4, 0)"]["q"] = -1.0;
-    EXPECT_THAT(error(file), testing::StartsWith("net.json:/edgedata/(0, 4): edge 0-4 is in "
-                                                 "compression (q = -1): "));
-    file = old_compas_mesh();
-    file["dea"]["f"] = -2.0;
-    EXPECT_THAT(error(file), HasSubstr("edge 0-4 is in compression (f = -2), as are 3 others"));
+    const ImportedNet imported = import(file);
+    const CableNet& net = imported.net;
+    EXPECT_TRUE(net.is_strut(0));
+    EXPECT_FALSE(net.is_strut(1));
+    EXPECT_GT(net.unstressed_lengths()(0), edge_lengths(net, net.nodes())(0));
+    EXPECT_THAT(imported.report.assumed, Contains("struts: the 1 edges in compression"));
+    EXPECT_THAT(imported.report.warnings, testing::Not(Contains(HasSubstr("compression"))));
+    // A cable by its mark is none that is pressed.
+    file["edgedata"]["(4, 0)"]["is_strut"] = false;
+    EXPECT_THAT(error(file), HasSubstr("edge 0-4 is in compression, but no strut by is_strut"));
+    file["edgedata"]["(4, 0)"]["is_strut"] = true;
+    EXPECT_THAT(import(file).report.read, Contains("struts: by is_strut"));
+}
+
+TEST(ImportNet, AsksForTheSignOfForcesWhereMostEdgesAreInCompression) {
+    json file = old_compas_mesh();
+    file["dea"]["q"] = -1.0;
+    file["edgedata"] = json::object();
+    EXPECT_THAT(import(file, {.axial_stiffness = 1e4}).report.warnings,
+                Contains(HasSubstr("Is a negative force tension in this file?")));
+}
+
+TEST(ImportNet, ReadsBackStrutsFromCompas) {
+    const CableNet dome = cable_dome();
+    const CableNet again =
+        import_net(parse_compas(form_to_compas(dome, dome.nodes()), "dome.json"), {}).net;
+    for (int e = 0; e < dome.edge_count(); ++e) {
+        const int there = again.find_edge(dome.edge_id(e));
+        EXPECT_EQ(again.is_strut(there), dome.is_strut(e));
+        EXPECT_NEAR(again.unstressed_lengths()(there), dome.unstressed_lengths()(e), 1e-12);
+    }
 }
 
 TEST(ImportNet, RefusesStrainsThatNoCableHas) {

@@ -213,8 +213,8 @@ INSTANTIATE_TEST_SUITE_P(
                                        H5P_DEFAULT);
                 },
                 "form_deviation: is a link, expected the object itself"},
-        BadFile{"StatusOutOfRange", false, replace_integers("status", 30, 3),
-                "status: holds 3, expected 0 to 2"},
+        BadFile{"StatusOutOfRange", false, replace_integers("status", 30, 4),
+                "status: holds 4, expected 0 to 3"},
         BadFile{"MoreSlackEdgesThanEdges", false, replace_integers("slack_edges", 30, 18),
                 "slack_edges: holds 18, expected 0 to 17"}),
     [](const auto& param) { return param.param.name; });

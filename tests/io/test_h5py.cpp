@@ -98,7 +98,7 @@ TEST(H5py, FindsEveryNumberOfADataSet) {
     EXPECT_EQ(datasets["status"]["values"][4], 2);
     EXPECT_EQ(datasets["status"]["values"][5], 0);
     EXPECT_EQ(datasets["status"]["attributes"]["meaning"],
-              "0: converged, 1: slack mechanism, 2: iteration limit");
+              "0: converged, 1: slack mechanism, 2: iteration limit, 3: unstable");
     EXPECT_EQ(datasets["slack_edges"]["type"], "int32");
     EXPECT_EQ(datasets["slack_edges"]["values"], data.slack_counts);
     EXPECT_EQ(datasets.size(), 8U);

@@ -104,6 +104,32 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     EXPECT_EQ(net.fingerprint(), CableNet(bare).fingerprint());
 }
 
+TEST(NetJson, ReadsBackStruts) {
+    CableNetData data = cable_dome().data();
+    const std::vector<int>& struts = data.groups.at("strut");
+    data.buckling_load =
+        Eigen::VectorXd::Constant(std::ssize(data.edges), std::numeric_limits<double>::infinity());
+    data.buckling_load(struts[2]) = 4e4;
+    const CableNet net(data);
+    const CableNet again = parse_net(net_to_json(net), "net.json").net;
+    EXPECT_EQ(again.data().kind, net.data().kind);
+    EXPECT_EQ(again.data().buckling_load, net.data().buckling_load);
+    EXPECT_EQ(again.fingerprint(), net.fingerprint());
+    // One number is that of all struts.
+    auto document = nlohmann::json::parse(net_to_json(net));
+    document["buckling_load"] = 5e4;
+    const CableNet one = parse_net(document.dump(), "net.json").net;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        EXPECT_EQ(one.data().buckling_load(e) == 5e4, net.is_strut(e)) << e;
+    }
+    // A strut is another edge, however strong.
+    data.buckling_load.resize(0);
+    EXPECT_EQ(CableNet(data).fingerprint(), net.fingerprint());
+    data.kind.assign(data.edges.size(), EdgeKind::cable);
+    EXPECT_FALSE(CableNet(data).has_struts());
+    EXPECT_NE(CableNet(data).fingerprint(), net.fingerprint());
+}
+
 TEST(NetJson, ReadsBackElasticSupports) {
     CableNetData data = hypar(2, 2).data();
     const int stiff = data.supports[1];

@@ -377,7 +377,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/adjustable_edges/0/edge: is 4, expected each adjustable edge"},
         Damage{"WithATensionBelowZero", "identification", "/tension",
                json(std::vector<double>(good("identification")["cable_net"]["edges"].size(), -1.0)),
-               "/tension/0: is -1.0, expected a number of at least 0"},
+               "/tension/0: is -1, expected a number of at least 0"},
         Damage{"WithASupportMovedInItsForm", "identification", "/form/0/2", 5.0, "/form/0: is 4.9"},
         Damage{"WithAStdBesideNarrowerBounds", "identification", "/edges/1/std", 0.5,
                "/edges/1/std: is 0.5, expected at most 0.002"},

@@ -56,6 +56,10 @@ inline CableNet net_of(const Json& json) {
                                          .stiffness = stiffness,
                                          .place = vector_of(spring.at("place"))});
     }
+    for (const int edge : json.value("struts", std::vector<int>())) {
+        data.kind.resize(data.edges.size(), EdgeKind::cable);
+        data.kind[edge] = EdgeKind::strut;
+    }
     return CableNet(std::move(data));
 }
 

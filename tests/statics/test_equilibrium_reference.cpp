@@ -35,7 +35,7 @@ TEST_P(ReferenceNet, HasTheFormThatScipyFinds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scipy, ReferenceNet,
-                         ::testing::Values("grid", "chain", "tripod", "springs"),
+                         ::testing::Values("grid", "chain", "tripod", "springs", "simplex", "mast"),
                          [](const auto& param) { return std::string(param.param); });
 
 }  // namespace

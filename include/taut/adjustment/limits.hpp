@@ -14,10 +14,11 @@ namespace taut {
 
 /// Limits of the tension of each edge (m each) [N].
 struct TAUT_ADJUSTMENT_EXPORT TensionLimits {
-    Eigen::VectorXd lower;  ///< at least 0: no edge may go slack
+    /// Of a cable at least 0: it may not go slack. Of a strut any, or -infinite.
+    Eigen::VectorXd lower;
     Eigen::VectorXd upper;  ///< may be infinite
 
-    /// No edge may go slack, and no upper limit.
+    /// No cable may go slack and no strut buckle, and no upper limit.
     [[nodiscard]] static TensionLimits no_slack(const CableNet& net);
 };
 
@@ -50,9 +51,9 @@ struct TensionBound {
 
 /// Limits of the tension of all edges, or of a group. A bound that is not given is left as it is.
 struct TensionRange {
-    std::optional<TensionBound> least = {};  ///< 0 or more
+    std::optional<TensionBound> least = {};  ///< 0 or more; of a group of struts any force
     std::optional<TensionBound> most = {};   ///< above `least`
-    std::optional<std::string> group = {};   ///< of edges of the net; empty: all edges
+    std::optional<std::string> group = {};   ///< of edges of the net; empty: all cables
 };
 
 /// Upper limit of the force at all supports, or at those of a group of edges.

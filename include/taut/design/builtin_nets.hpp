@@ -27,7 +27,25 @@ namespace taut {
 /// constructional stretch between. They stretch by 2 to 9 mm. Groups "carrying" and "bracing".
 [[nodiscard]] TAUT_CORE_EXPORT CableNet steel_roof();
 
-/// The built-in net of a name: "hilo-quarter", "steel-roof", or "hypar:RxC".
+/// A dome of D. Geiger's kind, 21 m across: 12 ridges of cables over two rings of flying struts and
+/// one in the middle, hung from a ring beam by diagonals, with two hoops. Turnbuckles at the ring
+/// beam. Groups "ridge", "diagonal", "hoop" and "strut".
+[[nodiscard]] TAUT_CORE_EXPORT CableNet cable_dome();
+
+/// A roof like a bicycle wheel, 30 m across: 24 upper and 24 lower cables between a flying mast and
+/// a rim of struts, on columns that lean (elastic supports). Turnbuckles in the lower cables.
+/// Groups "upper", "lower", "rim" and "mast".
+[[nodiscard]] TAUT_CORE_EXPORT CableNet spoke_wheel();
+
+/// The tensegrity simplex of a laboratory: three struts, six horizontal and three vertical cables,
+/// the last with turnbuckles. It stands on the floor, one foot held, one sliding along x, one free
+/// to slide (elastic supports). Dimensions and stiffnesses of J. Feron, L. Rhode-Barbarigos and P.
+/// Latteur, Experimental testing of a tensegrity simplex, J. Struct. Eng. 149 (2023). Groups
+/// "strut", "horizontal" and "vertical".
+[[nodiscard]] TAUT_CORE_EXPORT CableNet tensegrity_simplex();
+
+/// The built-in net of a name: "hilo-quarter", "steel-roof", "cable-dome", "spoke-wheel",
+/// "tensegrity-simplex", or "hypar:RxC".
 /// @throws std::invalid_argument listing these names, for any other
 [[nodiscard]] TAUT_CORE_EXPORT CableNet builtin_net(std::string_view name);
 

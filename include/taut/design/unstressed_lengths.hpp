@@ -10,9 +10,10 @@
 namespace taut {
 
 /// l_0 = l / (1 + T/EA): the lengths to cut edges to, so that they carry the tensions T when
-/// stretched to the lengths l. All arguments have one entry an edge; lengths [m], forces [N].
+/// stretched to the lengths l; negative tensions are those of compressed struts. All arguments have
+/// one entry an edge; lengths [m], forces [N].
 /// @throws std::invalid_argument for sizes that differ, lengths or stiffnesses that are not
-///   positive and finite, or tensions that are negative or not finite.
+///   positive and finite, or tensions that are not finite or not above -EA.
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd unstressed_lengths_for(
     const Eigen::Ref<const Eigen::VectorXd>& lengths,
     const Eigen::Ref<const Eigen::VectorXd>& tensions,

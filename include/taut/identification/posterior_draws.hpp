@@ -81,16 +81,15 @@ struct DrawnPlace {
 /// Tensions and places that follow from draws.
 struct DrawnSummary {
     std::vector<DrawnTension> tensions;  ///< one an edge, in their order
-    DrawnEstimate mean_tension;          ///< over all edges [N]
+    DrawnEstimate mean_tension;          ///< over all cables [N]
     std::vector<DrawnPlace> missing;     ///< of the nodes that the survey misses
 };
 
 /// What tensions and missing nodes follow from draws.
 /// @param draws at least one, not checked
-/// @param missing nodes, for their names in the result
-/// @param free_index place of each missing node among the free nodes, not checked
+/// @param missing free nodes of the net, not checked
 [[nodiscard]] TAUT_CORE_EXPORT DrawnSummary summary_of(const PosteriorDraws& draws,
-                                                       const std::vector<int>& missing,
-                                                       const std::vector<int>& free_index);
+                                                       const CableNet& net,
+                                                       const std::vector<int>& missing);
 
 }  // namespace taut

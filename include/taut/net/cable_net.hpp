@@ -49,6 +49,9 @@ private:
 /// along the cable, shortens the cable.
 enum class Thread { right, left };
 
+/// What an edge carries: a cable tension alone, a strut tension and compression, EA (l/l_0 - 1).
+enum class EdgeKind { cable, strut };
+
 /// Edges cut from one cable: their length deviations may have a common part.
 struct CableRun {
     std::string name;        ///< may be empty
@@ -87,6 +90,10 @@ struct CableNetData {
     std::vector<Thread> thread;         ///< one for each entry of `adjustable`; or none
     std::vector<CableRun> runs;         ///< or none: cable_runs() finds them
     std::vector<ElasticSupport> elastic_supports;  ///< none of them in `supports`; or none
+    std::vector<EdgeKind> kind;                    ///< m; or none: all are cables
+    /// m, the compression at which a strut buckles, > 0; infinite: not known, as of all cables; or
+    /// none [N].
+    Eigen::VectorXd buckling_load;
 };
 
 /// The edges with a support at one end at least: CableNetData::adjustable of most nets.
@@ -112,7 +119,8 @@ public:
     ///   that is not finite, a breaking load that is not positive and finite, a number of threads
     ///   other than that of the adjustable edges, a run without edges or with one that another run
     ///   has, an elastic support that is no free node or whose stiffness is not symmetric and
-    ///   positive definite.
+    ///   positive definite, a strut with a tension law, a buckling load that is not positive or is
+    ///   that of a cable.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;
@@ -138,6 +146,16 @@ public:
                    ? nullptr
                    : &m_data.tension_laws[m_data.tension_law[edge]];
     }
+    /// Whether an edge carries compression, too.
+    /// @param edge 0 to edge_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] bool is_strut(int edge) const {
+        check_index("edge", edge, m_data.edges.size());
+        return has_struts() && m_data.kind[edge] == EdgeKind::strut;
+    }
+    /// Whether any edge is a strut. The energy is not convex then: there may be several forms, or
+    /// none that is stable.
+    [[nodiscard]] bool has_struts() const { return !m_data.kind.empty(); }
     /// Whether no edge has a tension law.
     [[nodiscard]] bool is_linear() const { return m_data.tension_law.empty(); }
     /// l_0 of all edges (m) [m].
@@ -217,8 +235,8 @@ public:
     [[nodiscard]] int find_edge(std::string_view id) const;
 
     /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges,
-    /// loads, tension laws, masses and elastic supports. Nets with the same fingerprint have the
-    /// same statics, whatever their names.
+    /// loads, tension laws, masses, elastic supports and struts. Nets with the same fingerprint
+    /// have the same statics, whatever their names.
     [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
 
 private:

@@ -81,12 +81,13 @@ struct PlanResult {
     Points target_normals;  ///< 0 at nodes without normal
     /// Of one edge.
     struct Tension {
-        int edge = 0;                       ///< index in the net
-        double as_built = 0.0;              ///< before turning, of the estimate [N]
-        double planned = 0.0;               ///< after turning, of the estimate [N]
-        std::optional<double> lower;        ///< 95 % interval; empty without samples
-        std::optional<double> upper;        ///< its upper end; empty likewise
-        double limit_lower = 0.0;           ///< as given, without the plan's margin
+        int edge = 0;                 ///< index in the net
+        double as_built = 0.0;        ///< before turning, of the estimate [N]
+        double planned = 0.0;         ///< after turning, of the estimate [N]
+        std::optional<double> lower;  ///< 95 % interval; empty without samples
+        std::optional<double> upper;  ///< its upper end; empty likewise
+        /// As given, without the plan's margin; empty: none, of a strut.
+        std::optional<double> limit_lower = 0.0;
         std::optional<double> limit_upper;  ///< empty: no limit
     };
     std::vector<Tension> tensions;  ///< of each edge [N]

@@ -44,7 +44,8 @@ struct EnergyCertificate {
 /// some 1e-16 of the tensions, is not.
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form coordinates of all nodes (3 x n) [m]
-/// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
+/// @throws std::invalid_argument for a net with struts, wrong sizes, unstressed lengths that are
+/// not positive and
 ///   finite, coordinates and forces that are not finite
 [[nodiscard]] TAUT_CORE_EXPORT EnergyCertificate
 certify(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,

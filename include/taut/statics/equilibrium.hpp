@@ -17,38 +17,44 @@ enum class EquilibriumStatus {
     converged,        ///< all forces balance, and the form is unique
     slack_mechanism,  ///< all forces balance, but slack edges leave some nodes loose
     iteration_limit,  ///< forces do not balance within the tolerance
+    unstable,         ///< all forces balance, but struts give way: no minimum of the energy
 };
 
-/// "converged", "slack mechanism", "iteration limit".
+/// "converged", "slack mechanism", "unstable", "iteration limit".
 [[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(EquilibriumStatus status);
+
+/// Whether a net can stand in a form that was found so: converged, or slack mechanism.
+[[nodiscard]] constexpr bool is_balanced(EquilibriumStatus status) {
+    return status == EquilibriumStatus::converged || status == EquilibriumStatus::slack_mechanism;
+}
 
 /// Stopping criteria.
 struct EquilibriumSettings {
     int max_iterations = 500;  ///< Newton and interior-point steps together, 0 or more
     /// Largest out-of-balance force at a node that counts as balanced, relative to the mean tension
-    /// of the taut edges (to the mean load if all are slack). The solver continues below it until
-    /// rounding errors stop it or a hundredth of it is reached. Forces within the rounding error of
-    /// the coordinates (some 1e-15 times the largest coordinate times EA/l_0) also count as
-    /// balanced. They exceed the tolerance in nets that are barely tense, or whose stiffnesses
-    /// differ by orders of magnitude. If they exceed 1e-4 of the mean tension and of the mean load,
-    /// and 1e-13 of EA, the net is not balanced.
+    /// of the taut edges (to the mean load if all are slack; of struts the size counts). The solver
+    /// continues below it until rounding errors stop it or a hundredth of it is reached. Forces
+    /// within the rounding error of the coordinates (some 1e-15 times the largest coordinate times
+    /// EA/l_0) also count as balanced. They exceed the tolerance in nets that are barely tense, or
+    /// whose stiffnesses differ by orders of magnitude. If they exceed 1e-4 of the mean tension and
+    /// of the mean load, and 1e-13 of EA, the net is not balanced.
     double relative_tolerance = 1e-10;
 };
 
-/// The form a net takes: the minimiser of its energy.
+/// The form a net takes: the minimiser of its energy, with struts a local one.
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
     EquilibriumStatus status = EquilibriumStatus::iteration_limit;  ///< how the iterations ended
     int iterations = 0;            ///< Newton and interior-point steps taken
     double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
-    double mean_tension = 0.0;     ///< over the taut edges [N]
+    double mean_tension = 0.0;     ///< over the taut cables [N]
     std::vector<int> slack_edges;  ///< ascending
     /// Of each step, summed edge by edge; never negative except for rounding errors. All
     /// interior-point steps together make one entry, if they lower the energy [J].
     std::vector<double> energy_decreases;
 
-    /// Whether the forces balance: status is not iteration_limit.
-    [[nodiscard]] bool balanced() const { return status != EquilibriumStatus::iteration_limit; }
+    /// is_balanced() of the status.
+    [[nodiscard]] bool balanced() const { return is_balanced(status); }
 };
 
 /// Solves for the equilibrium of one net with many sets of unstressed lengths. The symbolic work is
@@ -70,6 +76,8 @@ public:
     /// energy, with a line search, and a diagonal shift if slack edges make the stiffness singular.
     /// If many edges go slack or taut on the way, the line search cuts steps short, or 30 steps do
     /// not suffice. Then a primal-dual interior-point method first brings the net near its form.
+    /// With struts the energy is not convex: steps are shifted until it falls along them, and no
+    /// longer than a quarter of the mean edge, so that the form found is one near the start.
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
     /// @param start where to begin (3 x n); supports are taken from the net. A node farther from
     /// them

@@ -27,4 +27,8 @@ namespace taut {
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 
+/// Weights of tensions (m) whose sum is their mean over the cables; over all edges where all are
+/// struts.
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd mean_weights(const CableNet& net);
+
 }  // namespace taut

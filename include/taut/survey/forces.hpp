@@ -24,7 +24,7 @@ enum class ForceSource {
 /// frequency or a sag.
 struct ForceMeasurement {
     int edge = 0;                                 ///< index in the net
-    double tension = 0.0;                         ///< [N]
+    double tension = 0.0;                         ///< negative in a compressed strut [N]
     double std = 0.0;                             ///< standard deviation of its own error [N]
     ForceSource source = ForceSource::load_cell;  ///< what it was measured by
     int mode = 0;                                 ///< of the frequency; 0 where there is none
@@ -50,7 +50,8 @@ struct Forces {
 
 /// Whether these can be forces of a net.
 /// @throws std::invalid_argument for an edge that is out of range or comes twice, a tension that
-///   is negative or not finite, a standard deviation that is not positive and finite, an edge seen
+///   is negative (of a cable) or not finite, a strut seen taut or slack, measured by its frequency
+///   or sag, a standard deviation that is not positive and finite, an edge seen
 ///   both taut and slack, and a measurement of an edge seen slack
 TAUT_CORE_EXPORT void check_forces(const CableNet& net, const Forces& forces);
 
