@@ -72,6 +72,7 @@ class Net:
         at_supports = np.isin(self.edges, data["supports"]).any(axis=1)
         self.adjustable = np.array(data.get("adjustable", np.flatnonzero(at_supports)))
         self.interior = np.setdiff1d(np.arange(count), self.adjustable)
+        self.is_strut = np.array(data.get("kind", ["cable"] * count)) == "strut"
         self.alter = alter or (lambda deviations, nodes, random: None)
         self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
         strain = self.spans(self.nodes) / self.lengths - 1
@@ -87,7 +88,8 @@ class Net:
         return np.linalg.norm(form[self.edges[:, 0]] - form[self.edges[:, 1]], axis=1)
 
     def tensions(self, form, lengths, factor):
-        strain = np.maximum(self.spans(form) / lengths - 1, 0)
+        strain = self.spans(form) / lengths - 1
+        strain = np.where(self.is_strut, strain, np.maximum(strain, 0))
         result = self.stiffness * factor * strain
         for edge, law in enumerate(self.data.get("tension_law") or []):
             if law is not None:

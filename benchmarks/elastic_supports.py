@@ -84,7 +84,10 @@ class Row:
         command = ["identify", net.folder / "net.json", net.folder / "survey.csv", "--noise", noise]
         done = taut(*command, "--prior", prior, "--quiet", "-o", result)
         if not result.exists():
-            raise SystemExit(done.stderr)
+            if done.returncode != 1:
+                raise SystemExit(done.stderr)
+            self.verdicts["refused"] += 1
+            return
         found = json.loads(result.read_text())
         result.unlink()
         verdict = found["trust"]["verdict"]
@@ -101,14 +104,14 @@ class Row:
             for count in (own, self.tensions):
                 count.add(tension[edge["edge"]], edge, "tension_")
         self.worst = min(self.worst, 100 * own.inside / own.all)
-        self.means.add(tension.mean(), found["mean_tension"])
+        self.means.add(tension[~net.is_strut].mean(), found["mean_tension"])
         for one in found["uncertain"]:
             if one["name"] == "support-stiffness":
                 half = 1.96 * one["std"]
                 self.springs.add(factor, {"lower": one["mean"] - half, "upper": one["mean"] + half})
 
     def __str__(self):
-        verdicts = ", ".join(f"{self.verdicts[word]} {word}" for word in ("passed", "doubtful", "failed") if self.verdicts[word])
+        verdicts = ", ".join(f"{self.verdicts[word]} {word}" for word in ("passed", "doubtful", "failed", "refused") if self.verdicts[word])
         reasons = ", ".join(f"{kind} ({count})" for kind, count in self.reasons.most_common(2)) or "-"
         worst = f"{self.worst:.0f}" if self.tensions.all else "-"
         return f"{verdicts} | {reasons} | {self.lengths} | {self.tensions}, {worst} | {self.means} | {self.springs}"

@@ -551,8 +551,9 @@ Args:
         (.obj, .ply).
     stroke: longest stroke of each edge from where it is, either way, by default 0.015 [m]; or
         (shortest, longest) by edge, {3: (-0.01, 0.005)}: others are not turned.
-    tension: (least, most) of every edge; either may be None [N]. Or a dict of these by group; the
-        key None is for every edge, and groups override it.
+    tension: (least, most) of every cable; either may be None [N]. Or a dict of these by group; the
+        key None is for every cable, and groups override it. Of a group of struts they may be
+        negative.
     edges: that may be turned, by default the adjustable ones.
     turn: change of length by one turn [m].
     step: smallest part of a turn that a crew can do, 0.25 say.

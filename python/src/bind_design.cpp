@@ -16,11 +16,18 @@ namespace taut::python {
 void bind_design(nb::module_& module) {
     module.def(
         "builtin_net", [](const std::string& name) { return builtin_net(name); }, nb::arg("name"),
-        "'hilo-quarter', 'steel-roof', or 'hypar:ROWSxCOLUMNS'.");
+        "'hilo-quarter', 'steel-roof', 'cable-dome', 'spoke-wheel', 'tensegrity-simplex', or "
+        "'hypar:ROWSxCOLUMNS'.");
     module.def("hilo_quarter", &hilo_quarter,
                "A net with the counts of the paper's prototype: 300 free nodes, 536 interior and "
                "128 adjustable edges.");
     module.def("steel_roof", &steel_roof, "A roof of spiral strands on an elliptic ring.");
+    module.def("cable_dome", &cable_dome,
+               "A dome of ridge cables over flying struts, with hoops and a ring of supports.");
+    module.def("spoke_wheel", &spoke_wheel,
+               "A roof like a bicycle wheel: a rim of struts on elastic supports, and a mast.");
+    module.def("tensegrity_simplex", &tensegrity_simplex,
+               "The three struts and nine cables of a laboratory's simplex.");
     module.def("hypar", &hypar, nb::arg("rows"), nb::arg("columns"),
                "A hyperbolic paraboloid of rows x columns free nodes, 1 to 1000 each.");
     module.def(

@@ -16,6 +16,7 @@
 #include "states.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
+#include "taut/statics/stability.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut::python {
@@ -235,6 +236,20 @@ Args:
             return array_of(edge_lengths(net, points_argument(form, "form", net.node_count())));
         },
         nb::arg("net"), nb::arg("form"), "Lengths of all edges (m,) at a form (n, 3) [m].");
+    module.def(
+        "smallest_stiffness",
+        [](const CableNet& net, const std::optional<ArrayLike>& unstressed_lengths,
+           const std::optional<ArrayLike>& form) {
+            return smallest_stiffness(
+                net,
+                unstressed_lengths
+                    ? vector_argument(*unstressed_lengths, "unstressed_lengths", net.edge_count())
+                    : net.unstressed_lengths(),
+                form ? points_argument(*form, "form", net.node_count()) : net.nodes());
+        },
+        nb::arg("net"), nb::arg("unstressed_lengths") = nb::none(), nb::arg("form") = nb::none(),
+        "Smallest eigenvalue of the stiffness of the free nodes, by default at the net's nodes and "
+        "lengths: below zero struts give way [N/m].");
 }
 
 }  // namespace taut::python

@@ -233,8 +233,9 @@ double spread_ratio(std::span<const ParameterEstimate> estimates) {
         given += one.prior_std * one.prior_std;
         expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
     }
-    // Where the survey shows less than this, non-linearity moves the estimates as much.
-    constexpr double least_shown = 0.02;
+    // Where the survey shows less than this, non-linearity moves the estimates as much. A single
+    // number is moved as far by the prior of the lengths, which is estimated with it.
+    const double least_shown = estimates.size() == 1 ? 0.05 : 0.02;
     return expected > least_shown * given ? std::sqrt(found / expected) : 0.0;
 }
 

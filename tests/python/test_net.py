@@ -38,6 +38,57 @@ def test_a_net_is_made_of_arrays_and_gives_them_back():
     )
 
 
+def test_struts_carry_compression(tmp_path):
+    dome = taut.cable_dome()
+    struts = np.array([kind == "strut" for kind in dome.kind])
+    assert np.count_nonzero(struts) == 25
+    assert dome.buckling_load.size == 0
+    found = taut.solve_equilibrium(dome)
+    tensions = taut.tensions(dome, dome.unstressed_lengths, found.form)
+    assert np.array_equal(tensions < 0, struts)
+    assert found.status == "converged"
+    assert taut.smallest_stiffness(dome) > 1e3
+    settings = {
+        "supports": dome.supports,
+        "nodes": dome.nodes,
+        "edges": dome.edges,
+        "axial_stiffness": dome.axial_stiffness,
+        "unstressed_lengths": dome.unstressed_lengths,
+        "kind": dome.kind,
+    }
+    again = taut.CableNet(**settings, buckling_load=5e4)
+    assert again.fingerprint == dome.fingerprint
+    assert np.array_equal(again.buckling_load == 5e4, struts)
+    again.save(tmp_path / "dome.json")
+    assert taut.CableNet.load(tmp_path / "dome.json").kind == dome.kind
+    with pytest.raises(taut.NetError, match="kind"):
+        taut.CableNet(**settings | {"kind": ["strut"]})
+    with pytest.raises(ValueError, match="expected 'cable' or 'strut'"):
+        taut.CableNet(**settings | {"kind": ["beam"]})
+    with pytest.raises(taut.NetError, match="cable"):
+        taut.CableNet(**settings, buckling_load=np.full(len(dome.edges), 5e4))
+
+
+def test_struts_go_through_identification_and_a_plan(tmp_path):
+    dome = taut.cable_dome()
+    random = np.random.default_rng(3)
+    lengths = dome.unstressed_lengths.copy()
+    lengths[dome.interior_edges] += random.uniform(-1e-3, 1e-3, len(dome.interior_edges))
+    form = taut.EquilibriumSolver(dome).solve(lengths).form
+    places = (form + random.normal(0, 0.5e-3, form.shape))[dome.free_nodes]
+    survey = taut.read_survey(dome, places, ids=dome.free_nodes, noise=0.5e-3)
+    found = taut.identify(dome, survey, prior="uniform:1mm")
+    tensions = taut.tensions(dome, lengths, form)
+    struts = np.array([kind == "strut" for kind in dome.kind])
+    assert np.all(found.tension_upper[struts] < 0)
+    assert abs(found.drawn["mean_tension"]["mean"] / tensions[~struts].mean() - 1) < 0.15
+    plan = taut.plan(found, stroke=0.01, tension={None: (5e3, 9e4), "strut": (-4e4, 0.0)})
+    assert plan.is_feasible
+    assert np.array_equal(plan.tensions < 0, struts)
+    plan.save(tmp_path / "plan.json")
+    assert taut.Plan.load(tmp_path / "plan.json").to_dict()["tension"]["least"] < 0
+
+
 def on_springs():
     """The cross with a support that gives way along its cable, and one that does everywhere."""
     data = arrays()

@@ -4,7 +4,7 @@
 import { palette, type Rgb } from "./colours";
 import { type Covariances, ellipseRemarks, semiMajorAxes, uncertainNodes } from "./error_ellipses";
 import { number } from "./format";
-import { type Identification, isElastic, isSlack, lengthOf, type NetFile, type Status, statusOf, type Study } from "./result";
+import { type Identification, isElastic, isSlack, isStrut, lengthOf, type NetFile, type Status, statusOf, type Study } from "./result";
 
 /** A number for each edge or node, in the unit it is shown in; NaN where there is none. */
 export interface Quantity {
@@ -184,7 +184,7 @@ export function modelOfStudy(study: Study): Model {
   const node = (key: string, label: string, values: number[]): Quantity =>
     quantity({ key, label, unit: "mm", of: "node", kind: "sequential", decimals: 4, values: spread(model.nodeCount, free, values) });
   model.quantities.push(
-    statusQuantity(model, (e) => (sample.identified_tension[e]! > 0 ? "determined" : "slack")),
+    statusQuantity(model, (e) => (sample.identified_tension[e]! > 0 || isStrut(net, e) ? "determined" : "slack")),
     edge("true", "length deviation, true", "true", "diverging", sample.true, "deviation"),
     edge("identified", "length deviation, identified", "identified", "diverging", sample.identified, "deviation"),
     edge("error", "length deviation, error (true − identified)", "error", "diverging", sample.true.map((t, i) => t - sample.identified[i]!)),

@@ -7,7 +7,7 @@ import { counted, number, rootMeanSquare } from "./format";
 import { ink } from "./inks";
 import type { Model } from "./model";
 import { nodeMap, planThinning, sideOf } from "./net_map";
-import { marginOf } from "./plan_model";
+import { hasLimit, marginOf } from "./plan_model";
 import type { Plan, PlannedTension } from "./result";
 import { mostAlong, thinningWords } from "./thinning";
 
@@ -67,13 +67,14 @@ function tensionFigure(plan: Plan, model: Model): Figure {
   const exceeding = tensions.flatMap((t, i) => (exceedsLimit(t) ? [i] : []));
   const above = tensions.filter((t) => t.limit_upper !== null && kN * t.limit_upper > top).length;
   const drawn = plan.draws > 0 && tensions.some((t) => t.lower !== null);
-  const limited = tensions.some((t) => t.limit_lower > 0 || t.limit_upper !== null);
-  const limits = [...limitLines(tensions.map((t) => kN * t.limit_lower), top), ...limitLines(tensions.map((t) => (t.limit_upper === null ? null : kN * t.limit_upper)), top)];
+  const limited = tensions.some(hasLimit);
+  const bottom = 1.05 * kN * tensions.reduce((least, t) => Math.min(least, t.as_built, t.planned, t.lower ?? 0), 0);
+  const limits = [...limitLines(tensions.map((t) => (t.limit_lower === null || kN * t.limit_lower < bottom ? null : kN * t.limit_lower)), top), ...limitLines(tensions.map((t) => (t.limit_upper === null ? null : kN * t.limit_upper)), top)];
   return {
     heading: "Tensions and their limits",
     charts: count === 0 ? [] : [edgeChart({
       name: "plan_tensions", title: "Tensions as built and as planned, with their limits", xLabel: "edge i, in the order of the net", yLabel: "tension [kN]",
-      range: [0, top], always: exceeding,
+      range: [bottom, top], always: exceeding,
       legend: [
         { words: "as built", ink: "amber" }, { words: "as planned", ink: "deep" },
         ...(exceeding.length > 0 ? [{ words: "as planned, limit exceeded", ink: "magenta" } as const] : []),
@@ -86,7 +87,7 @@ function tensionFigure(plan: Plan, model: Model): Figure {
         const known = edges.filter((i) => tensions[i]!.lower !== null);
         return [
           dots(of(edges, (t) => t.as_built), ink("amber"), width(5), view),
-          lines(known.map((i) => [i + 1, kN * Math.max(tensions[i]!.lower!, 0), i + 1, kN * tensions[i]!.upper!] as const), ink("grey"), 0.9),
+          lines(known.map((i) => [i + 1, kN * tensions[i]!.lower!, i + 1, kN * tensions[i]!.upper!] as const), ink("grey"), 0.9),
           dots(of(edges.filter((i) => !exceedsLimit(tensions[i]!)), (t) => t.planned), ink("deep"), width(3.4), view),
           dots(of(edges.filter((i) => exceedsLimit(tensions[i]!)), (t) => t.planned), ink("magenta"), width(5), view),
           lines(limits, ink("orange"), 1.2),

@@ -13,15 +13,18 @@ export function strokesOf(plan: Plan): Map<number, number> {
   return strokes;
 }
 
+/** Whether an edge has a limit besides that it may not go slack. */
+export const hasLimit = (t: PlannedTension): boolean => Boolean(t.limit_lower) || t.limit_upper !== null;
+
 /** Margin of an edge's planned tension to the nearest of its limits; negative where exceeded [N]. */
-export const marginOf = (t: PlannedTension): number => Math.min(t.planned - t.limit_lower, (t.limit_upper ?? Infinity) - t.planned);
+export const marginOf = (t: PlannedTension): number => Math.min(t.planned - (t.limit_lower ?? -Infinity), (t.limit_upper ?? Infinity) - t.planned);
 
 function tensions(plan: Plan): Quantity[] {
   const { edges } = plan.tension;
   const of = (value: (t: PlannedTension) => number | null): number[] => edges.map((t) => kN * (value(t) ?? NaN));
   const tension = { unit: "kN", of: "edge", kind: "sequential", decimals: 3, scale: "tension", fromLowest: true } as const;
   const interval = plan.draws > 0 ? { interval: { lower: Float64Array.from(of((t) => t.lower)), upper: Float64Array.from(of((t) => t.upper)) } } : {};
-  const limits = edges.some((t) => t.limit_lower > 0 || t.limit_upper !== null);
+  const limits = edges.some(hasLimit);
   return [
     quantity({ ...tension, key: "tension_built", label: "tension, as built", head: "tension, built", values: of((t) => t.as_built) }),
     quantity({ ...tension, key: "tension_planned", label: "tension, as planned", head: "tension, planned", values: of((t) => t.planned), ...interval }),

@@ -45,6 +45,11 @@ export function readResult(text: string): Result {
   return result;
 }
 
+/** Whether an edge carries compression, too. Its kind is a key of a net that the schema of results does not describe. */
+export function isStrut(net: NetFile, edge: number): boolean {
+  return (net as { kind?: string[] }).kind?.[edge] === "strut";
+}
+
 /** Whether the i-th support gives way. Its stiffness is a key of a net that the schema of results does not describe. */
 export function isElastic(net: NetFile, i: number): boolean {
   return ((net as { support_stiffness?: unknown[] }).support_stiffness?.[i] ?? null) !== null;

@@ -23,7 +23,8 @@ const mostLimits = 6;
 function limitWords(edges: PlannedTension[]): string {
   const counts = new Map<string, number>();
   for (const { limit_lower, limit_upper } of edges) {
-    const words = limit_upper === null ? `${short(limit_lower / 1e3)} kN or more` : `${short(limit_lower / 1e3)} to ${short(limit_upper / 1e3)} kN`;
+    const words = limit_lower === null ? (limit_upper === null ? "none" : `up to ${short(limit_upper / 1e3)} kN`)
+      : limit_upper === null ? `${short(limit_lower / 1e3)} kN or more` : `${short(limit_lower / 1e3)} to ${short(limit_upper / 1e3)} kN`;
     counts.set(words, (counts.get(words) ?? 0) + 1);
   }
   const all = [...counts].map(([words, count]) => `${words} (${counted(count, "edge")})`);
