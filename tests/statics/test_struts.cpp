@@ -9,6 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "statics/reference_net.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/statics/duality.hpp"
@@ -70,6 +71,18 @@ TEST(Strut, CarriesWhatTheGuysAndTheLoadPressItWith) {
     EXPECT_NEAR(e.mean_tension, tension.tail(4).mean(), 1e-9);  // over the cables
     EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), e.form).empty());
     EXPECT_DOUBLE_EQ(mean_weights(net).dot(tension), tension.tail(4).mean());
+}
+
+TEST(Strut, OfASimplexHasTheFormAndForcesThatMusclePyFinds) {
+    const test::Json json = test::reference_net("struts_reference.json", "simplex");
+    const CableNet net = test::net_of(json);
+    const Equilibrium e = solve_equilibrium(net);
+    ASSERT_EQ(e.status, EquilibriumStatus::converged);
+    EXPECT_GT((e.form - net.nodes()).cwiseAbs().maxCoeff(), 0.01);
+    EXPECT_LT((e.form - test::points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-7);
+    const Eigen::VectorXd expected = test::vector_of(json.at("tensions"));
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
+    EXPECT_LT((tension - expected).cwiseAbs().maxCoeff(), 1e-5 * expected.cwiseAbs().maxCoeff());
 }
 
 TEST(Strut, IsNotStableWithoutGuysThatHoldIt) {

@@ -47,6 +47,8 @@ export interface Model {
   /** Supports on the rigid frame: their places are given. Elastic ones move. */
   isFixed: Uint8Array;
   isAdjustable: Uint8Array;
+  /** Edges that carry compression, too. */
+  isStrut: Uint8Array;
   /** Edges in the order of the charts. */
   charted: number[];
   form: Float32Array;
@@ -101,6 +103,7 @@ function marks(count: number, indices: number[]): Uint8Array {
 
 export function netOf(net: NetFile, form: [number, number, number][]): Model {
   const isAdjustable = marks(net.edges.length, net.adjustable);
+  const isOne = Uint8Array.from(net.edges, (_, e) => (isStrut(net, e) ? 1 : 0));
   return {
     nodeCount: net.nodes.length,
     edgeCount: net.edges.length,
@@ -108,12 +111,14 @@ export function netOf(net: NetFile, form: [number, number, number][]): Model {
     isSupport: marks(net.nodes.length, net.supports),
     isFixed: marks(net.nodes.length, net.supports.filter((_, i) => !isElastic(net, i))),
     isAdjustable,
+    isStrut: isOne,
     charted: net.edges.map((_, e) => e).filter((e) => !isAdjustable[e]),
     form: flat(form),
     quantities: [
       quantity({
-        key: "kind", label: "kind of edge", unit: "", of: "edge", kind: "names", decimals: 0, values: isAdjustable,
-        names: [{ text: "interior", colour: palette.grey }, { text: "adjustable", colour: palette.orange }],
+        key: "kind", label: "kind of edge", unit: "", of: "edge", kind: "names", decimals: 0,
+        values: Uint8Array.from(isAdjustable, (adjustable, e) => (adjustable ? 1 : 2 * isOne[e]!)),
+        names: [{ text: "interior", colour: palette.grey }, { text: "adjustable", colour: palette.orange }, { text: "strut", colour: palette.blue }],
       }),
     ],
     displacements: [],

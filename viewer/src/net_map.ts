@@ -155,11 +155,13 @@ export function nodeMap(map: NodeMap, model: Model, side: Side): Chart {
 /** Edges and nodes, each kind in its colour. */
 function netDrawing(name: string, title: string, model: Model, place: Place, side: Side | null): Chart {
   const nodes = Array.from(model.isSupport, (support, node) => ({ node, support: support === 1 }));
+  const struts = isEdge(model, "interior").filter((edge) => model.isStrut[edge]);
   return {
     name, title, whole: wholeOf(model, place), isPlan: true,
     legend: [
       { words: "free node", ink: "blue" }, { words: "support", ink: "ink", mark: "square" },
       { words: "interior edge", ink: "grey", mark: "line" }, { words: "adjustable edge", ink: "orange", mark: "line" },
+      ...(struts.length > 0 ? [{ words: "strut", ink: "blue", mark: "line" } as const] : []),
     ],
     plot(view) {
       // Dots that would touch hide the edges: they shrink with the number of nodes.
@@ -170,6 +172,7 @@ function netDrawing(name: string, title: string, model: Model, place: Place, sid
         marks: [
           lines(edgesIn(model, place, view, isEdge(model, "interior")), ink("grey"), 1),
           lines(edgesIn(model, place, view, isEdge(model, "adjustable")), ink("orange"), 1.8),
+          lines(edgesIn(model, place, view, struts), ink("blue"), 2.6),
           dots(of(false), ink("blue"), size, view),
           Plot.dot(of(true), { x: "0", y: "1", symbol: "square", r: Math.max(1.2 * size, 2), fill: ink("ink") }),
         ],

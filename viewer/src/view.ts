@@ -83,8 +83,9 @@ export class NetView {
     const all = Array.from({ length: model.edgeCount }, (_, e) => e);
     if (many) shuffled(all);
     this.groups = [
-      { edges: all.filter((e) => !model.isAdjustable[e]), lines: many ? new ThinLines() : new WideLines(2.2) },
-      { edges: all.filter((e) => model.isAdjustable[e]), lines: many ? new ThinLines() : new WideLines(3.4) },
+      { edges: all.filter((e) => !model.isAdjustable[e] && !model.isStrut[e]), lines: many ? new ThinLines() : new WideLines(2.2) },
+      { edges: all.filter((e) => model.isAdjustable[e] && !model.isStrut[e]), lines: many ? new ThinLines() : new WideLines(3.4) },
+      { edges: all.filter((e) => model.isStrut[e]), lines: many ? new ThinLines() : new WideLines(6) },
     ];
     const nodes = Array.from({ length: model.nodeCount }, (_, i) => i);
     this.freeNodes = nodes.filter((i) => !model.isSupport[i]);
