@@ -186,12 +186,17 @@ Forces read_forces(const CableNet& net, const ForceOptions& options, const Surve
         forces.slack = read_edge_list(net, options.slack);
     }
     if (options.taut == "all") {
-        forces.taut.resize(net.edge_count());
-        std::iota(forces.taut.begin(), forces.taut.end(), 0);
+        for (int edge = 0; edge < net.edge_count(); ++edge) {
+            if (!net.is_strut(edge)) {
+                forces.taut.push_back(edge);
+            }
+        }
     } else if (!options.taut.empty()) {
         forces.taut = read_edge_list(net, options.taut);
     }
-    naming_file(options.slack.empty() ? options.forces : options.slack,
+    naming_file(!options.slack.empty()                           ? options.slack
+                : !options.taut.empty() && options.taut != "all" ? options.taut
+                                                                 : options.forces,
                 [&] { check_forces(net, forces); });
     return forces;
 }
@@ -209,13 +214,14 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
     const ForceFormat format = format_of(options);
     const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
     for (const int edge : parse_edge_list(net, text, options.forces)) {
-        if (!(designed(edge) > 0.0)) {
+        if (!(designed(edge) > 0.0) && !net.is_strut(edge)) {
             throw InputError(options.forces, "",
                              fmt::format("names edge '{}', which is slack as designed: it has no "
                                          "tension to measure",
                                          net.edge_id(edge)));
         }
-        const double std = format.std > 0.0 ? format.std : format.relative_std * designed(edge);
+        const double std =
+            format.std > 0.0 ? format.std : format.relative_std * std::abs(designed(edge));
         forces.measurements.push_back({.edge = edge, .tension = designed(edge), .std = std});
     }
     return forces;

@@ -74,7 +74,8 @@ Found find_by_newton(const FormOptions& options, const CableNet& net) {
     std::string text = equilibrium_text(e);
     if (e.status == EquilibriumStatus::slack_mechanism) {
         text +=
-            "\nslack edges leave some nodes free to move: their places are one solution of many";
+            fmt::format("\n{}some nodes free to move: their places are one solution of many",
+                        e.slack_edges.empty() ? "struts with hinges leave " : "slack edges leave ");
     }
     const FormCheck check = check_form(net, e.form);
     return {.form = std::move(e.form),

@@ -234,6 +234,10 @@ void print_common_deviation(const CommonDeviation& common) {
         say("; {} runs of cable, scales of {:.2g} % with a probability of {:.0f} %", common.runs,
             1e2 * common.run_std, 1e2 * common.run_probability);
     }
+    if (common.struts_std > 0.0) {
+        say("; struts by {:+.2f} mm more, std {:.2f} mm", 1e3 * common.struts,
+            1e3 * common.struts_std);
+    }
     if (common.adjustable_std > 0.0) {
         say("; adjustable edges by {:+.2f} mm, std {:.2f} mm", 1e3 * common.adjustable,
             1e3 * common.adjustable_std);

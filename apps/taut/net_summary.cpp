@@ -70,7 +70,9 @@ std::string check_text(const FormCheck& check) {
         "energy {:.6g} J; smallest stiffness against any motion {:.4g} N/m{}. With struts other "
         "forms may be stable, too",
         check.energy, check.smallest_stiffness,
-        check.smallest_stiffness > 0.0 ? ": stable" : ": not stable");
+        check.smallest_stiffness > 0.0    ? ": stable"
+        : check.smallest_stiffness == 0.0 ? ": free to move"
+                                          : ": not stable");
 }
 
 void add_check(nlohmann::ordered_json& document, const FormCheck& check) {

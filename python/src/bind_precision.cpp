@@ -74,7 +74,7 @@ void bind_predicted_precision(nb::module_& module) {
     bind_fields<PredictedPrecision>(
         precision, std::identity(),
         {{"prior_std", "Standard deviation of each length deviation before the survey [m]."},
-         {"mean_tension", "Mean over all edges, as designed [N]."},
+         {"mean_tension", "Mean over all cables, as designed [N]."},
          {"mean_tension_std", "Its standard deviation after the survey [N]."},
          {"force_candidates",
           "Force measurements that would help, the best first. Of each: edge, tension and its std "
@@ -142,7 +142,7 @@ void bind_suggestions(nb::module_& module) {
     bind_fields<MeasurementSuggestions>(
         result, std::identity(),
         {{"quantity", "What they make sure: mean-tension, worst-tension or form."},
-         {"mean_tension", "Over all edges, as designed [N]."},
+         {"mean_tension", "Over all cables, as designed [N]."},
          {"std", "Of that quantity after the survey alone: of a tension [N], of the form [m]."},
          {"steps",
           "The best first. Of each: kind (load-cell, frequency, sag, target or load), edge or node "

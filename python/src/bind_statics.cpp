@@ -49,14 +49,15 @@ void bind_equilibrium(nb::module_& module) {
             "Supports included (n, 3) [m].")
         .def_prop_ro(
             "status", [](const Equilibrium& self) { return to_string(self.status); },
-            "'converged', 'slack mechanism' (some nodes are loose), 'unstable' (struts give way) or "
+            "'converged', 'slack mechanism' (some nodes are loose), 'unstable' (struts give way) "
+            "or "
             "'iteration limit' (forces do not balance).")
         .def_prop_ro("is_balanced", &Equilibrium::balanced,
                      "Whether the net can stand so: converged, or a slack mechanism.")
         .def_ro("iterations", &Equilibrium::iterations)
         .def_ro("out_of_balance", &Equilibrium::out_of_balance,
                 "Largest norm of a nodal force [N].")
-        .def_ro("mean_tension", &Equilibrium::mean_tension, "Over the taut edges [N].")
+        .def_ro("mean_tension", &Equilibrium::mean_tension, "Over the taut cables [N].")
         .def_prop_ro(
             "slack_edges",
             [](nb::handle_t<Equilibrium> self) {

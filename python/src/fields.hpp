@@ -87,8 +87,8 @@ TAUT_FIELDS(VarianceComponents, noise, lengths)
 TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)
 TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force_scale)
 TAUT_FIELDS(PriorNode, prior, weight)
-TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, adjustable,
-            adjustable_std)
+TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, struts, struts_std,
+            adjustable, adjustable_std)
 TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, common, nodes)
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
 TAUT_FIELDS(ModelPerturbations, stiffness, thermal, supports, loads)

@@ -117,7 +117,9 @@ def _put_on(like, graph):
     result = like.copy()
     place = result.vertex_attributes if is_mesh else result.node_attributes
     keys = {str(key): key for key in (result.vertices() if is_mesh else result.nodes())}
-    of_edges = ["q", "f", "l", "l0", "EA", "is_slack", "is_adjustable", "is_strut"]
+    of_edges = ["q", "f", "l", "l0", "EA", "is_slack", "is_adjustable"]
+    if any(graph.edge_attribute(edge, "is_strut") is not None for edge in graph.edges()):
+        of_edges.append("is_strut")
     names = {node: graph.node_attribute(node, "name") for node in graph.nodes()}
     absent = [name for name in names.values() if name not in keys]
     if absent:

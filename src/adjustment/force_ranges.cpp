@@ -24,7 +24,7 @@ std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions) {
 
 double least_taut(const CableNet& net) {
     const Eigen::VectorXd pull = tensions(net, net.unstressed_lengths(), net.nodes());
-    return 2.0 * negligible_violation * mean_weights(net).dot(pull);
+    return 2.0 * negligible_violation * std::max(0.0, mean_weights(net).dot(pull));
 }
 
 double carried(const CableNet& net, Eigen::Index row, double force) {

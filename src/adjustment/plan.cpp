@@ -344,8 +344,14 @@ private:
     /// @param task of which limits of strokes are not used
     StrokedState unconstrained(const StrokedState& state, const StrokeTask& task) {
         for (LimitedResponse& limited : m_responses) {
-            // No limit but that no edge goes slack.
-            limited.range.lower = limited.range.lower.cwiseMin(least_taut(limited.response.net()));
+            // No limit but that no cable goes slack.
+            const CableNet& net = limited.response.net();
+            limited.range.lower = limited.range.lower.cwiseMin(least_taut(net));
+            for (int e = 0; e < net.edge_count(); ++e) {
+                if (net.is_strut(e)) {
+                    limited.range.lower(e) = -std::numeric_limits<double>::infinity();
+                }
+            }
             limited.range.upper.setConstant(std::numeric_limits<double>::infinity());
         }
         StrokeTask free = task;

@@ -106,6 +106,13 @@ void take_tension(const CableNet& net, const TensionRange& range, TensionLimits&
         }
     }
     const auto is_strut = [&net](int edge) { return net.is_strut(edge); };
+    if (range.group && std::ranges::any_of(edges, is_strut) &&
+        !std::ranges::all_of(edges, is_strut)) {
+        throw RequestError("tension",
+                           fmt::format("is {} of the group '{}', which has cables and "
+                                       "struts: give limits of each in a group of its own",
+                                       text_of(range), *range.group));
+    }
     const bool has_negative =
         (range.least && range.least->value < 0.0) || (range.most && range.most->value <= 0.0);
     if (has_negative && !std::ranges::all_of(edges, is_strut)) {
@@ -131,9 +138,13 @@ void take_tension(const CableNet& net, const TensionRange& range, TensionLimits&
     const auto force_of = [&](const TensionBound& bound, int edge) {
         return bound.is_part ? bound.value * net.data().breaking_load(edge) : bound.value;
     };
+    const Eigen::VectorXd& buckling_load = net.data().buckling_load;
     const auto take = [&](int edge) {
         if (range.least) {
-            limits.lower(edge) = force_of(*range.least, edge);
+            const double buckling = buckling_load.size() > 0 && net.is_strut(edge)
+                                        ? -buckling_load(edge)
+                                        : -std::numeric_limits<double>::infinity();
+            limits.lower(edge) = std::max(force_of(*range.least, edge), buckling);
         }
         if (range.most) {
             limits.upper(edge) = force_of(*range.most, edge);
@@ -202,12 +213,12 @@ void check_tension_range(const TensionRange& range) {
         range.most.value_or(TensionBound{.value = std::numeric_limits<double>::infinity()});
     const bool is_comparable = least.is_part == most.is_part || std::isinf(most.value);
     const bool is_negative = !(least.value >= 0.0) || !(most.value > 0.0);
-    if ((is_negative && (least.is_part || most.is_part || !range.group)) ||
-        std::isnan(least.value) || std::isnan(most.value) ||
+    const bool may_be_negative = range.group && !least.is_part && !most.is_part;
+    if ((is_negative && !may_be_negative) || std::isnan(least.value) || std::isnan(most.value) ||
         (is_comparable && !(most.value > least.value))) {
-        throw RequestError("tension", fmt::format("is {}, expected a lower limit of 0 or more and "
-                                                  "an upper one above it",
-                                                  text_of(range)));
+        throw RequestError("tension",
+                           fmt::format("is {}, expected a lower limit{} and an upper one above it",
+                                       text_of(range), may_be_negative ? "" : " of 0 or more"));
     }
     if ((least.is_part && least.value > 1.0) || (most.is_part && most.value > 1.0)) {
         throw RequestError(

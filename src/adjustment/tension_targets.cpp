@@ -58,9 +58,11 @@ const std::vector<int>& edges_of_group(const CableNet& net, const std::string& g
 
 std::vector<TensionTarget> tension_targets_of(const CableNet& net,
                                               std::span<const GivenTension> given) {
-    std::vector<int> all(net.edge_count());
+    std::vector<int> all;  // cables
     for (int edge = 0; edge < net.edge_count(); ++edge) {
-        all[edge] = edge;
+        if (!net.is_strut(edge)) {
+            all.push_back(edge);
+        }
     }
     std::map<int, std::pair<int, TensionTarget>> by_edge;  // with its rank
     for (const GivenTension& one : given) {

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "taut/design/builtin_nets.hpp"
 #include "taut/design/unstressed_lengths.hpp"

@@ -179,8 +179,10 @@ double PairTests::estimated_statistic(const Hypothesis& pair) const {
 bool PairTests::take_estimate(Hypothesis& pair, const Eigen::Matrix2d& covariance,
                               const Eigen::Vector2d& unseen) const {
     const std::array<Eigen::Index, 2> both{pair.index, pair.other};
-    if (std::isinf(likelihoods[pair.index].extension) ||
-        std::isinf(likelihoods[pair.other].extension)) {
+    const auto is_slack = [&](Eigen::Index edge) {
+        return likelihoods[edge].extension == -std::numeric_limits<double>::infinity();
+    };
+    if (is_slack(pair.index) || is_slack(pair.other)) {
         // Of a slack edge only the distance of its ends is known. An error of the node's place
         // makes one edge longer and the other shorter: the correlation is taken as -1.
         const Estimate one = tested_deviation(likelihoods[pair.index]);

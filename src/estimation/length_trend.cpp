@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/length_trend.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -29,9 +30,19 @@ constexpr Eigen::Index most_runs = 128;
 /// Prior standard deviation of what all adjustable edges have in common, in their own: all may have
 /// been set or read alike.
 constexpr double adjustable_width = 0.6;
+/// The same of what all struts have in common, in that of the prior of a length: they come from
+/// another shop than the cables.
+constexpr double strut_width = 1.0;
 
-/// Columns of G: the mean [m], the scale of each run [-], and last, if any, what all adjustable
-/// edges have in common [m].
+/// Whether several struts are uncertain, beside cables.
+bool has_common_struts(const CableNet& net) {
+    const auto struts =
+        std::ranges::count_if(net.interior_edges(), [&](int edge) { return net.is_strut(edge); });
+    return struts > 1 && struts < net.interior_edge_count();
+}
+
+/// Columns of G: the mean [m], the scale of each run [-], and last, if any, what all struts [m] and
+/// all adjustable edges [m] have in common.
 Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_out,
                            const Eigen::VectorXd& adjustable_stds) {
     std::vector<std::vector<int>> runs = cable_runs(net);
@@ -49,6 +60,13 @@ Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_ou
     for (size_t i = 0; i < left_out.size(); ++i) {
         if (left_out[i]) {
             columns.row(static_cast<Eigen::Index>(i)).setZero();
+        }
+    }
+    if (has_common_struts(net)) {
+        columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+        for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+            const bool is_strut = net.is_strut(net.interior_edges()[static_cast<size_t>(i)]);
+            columns.rightCols(1)(i) = is_strut ? columns(i, 0) : 0.0;
         }
     }
     if (adjustable_stds.size() > 0) {
@@ -97,7 +115,9 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     trend.columns =
         columns_of(net, left_out, adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());
     const Eigen::Index count = trend.columns.cols();
-    const Eigen::Index runs = count - 1 - (adjustable_std > 0.0 ? 1 : 0);
+    const bool has_struts = has_common_struts(net);
+    const Eigen::Index runs = count - 1 - (has_struts ? 1 : 0) - (adjustable_std > 0.0 ? 1 : 0);
+    const Eigen::Index of_struts = 1 + runs;
     const Eigen::VectorXd variances =
         observations.variance + fitted.model().blur.length_variances(observations.variance.size());
     const Eigen::VectorXd weights = variances.cwiseInverse();
@@ -116,6 +136,9 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
         information -= part * of_mean * of_mean.transpose();
     };
     blur(0, nonlinearity * prior.std());
+    if (has_struts) {
+        blur(of_struts, nonlinearity * prior.std());
+    }
     if (adjustable_std > 0.0) {
         blur(count - 1, adjustable_bias);
     }
@@ -130,6 +153,9 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
             k == 0 ? 0.0 : run_widths[static_cast<size_t>(k - 1)] * prior.std() / mean_length);
         Eigen::VectorXd stds = Eigen::VectorXd::Constant(count, widths.back());
         stds(0) = mean_width * prior.std();
+        if (has_struts) {
+            stds(of_struts) = strut_width * prior.std();
+        }
         if (adjustable_std > 0.0) {
             stds(count - 1) = adjustable_std;
         }
@@ -161,6 +187,10 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     trend.found.mean = trend.mean(0);
     trend.found.mean_std = trend.root.row(0).norm();
     trend.found.runs = static_cast<int>(runs);
+    if (has_struts) {
+        trend.found.struts = trend.mean(of_struts);
+        trend.found.struts_std = trend.root.row(of_struts).norm();
+    }
     if (adjustable_std > 0.0) {
         trend.adjustable_std = adjustable_std;
         trend.found.adjustable = trend.mean(count - 1);

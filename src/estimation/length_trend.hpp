@@ -15,7 +15,8 @@ namespace taut {
 
 /// What length deviations have in common, after the survey: d = e + G b, with e independent under
 /// their prior and b normal. b holds the mean of all, the relative length of each run of cable, and
-/// what all adjustable edges are longer than given. To first order, docs/theory.md (length-trend).
+/// what all struts and all adjustable edges are longer. To first order, docs/theory.md
+/// (length-trend).
 struct LengthTrend {
     Eigen::MatrixXd columns;       ///< G, m_I x r: of one standard deviation of the prior each [m]
     Eigen::VectorXd mean;          ///< of b (r)

@@ -12,7 +12,7 @@ namespace taut {
 /// A fit to perturbed observations.
 struct PerturbedFit {
     Iterate iterate;
-    double mean_tension = 0.0;          ///< over all edges [N]
+    double mean_tension = 0.0;          ///< over all cables [N]
     double half_log_determinant = 0.0;  ///< Linearisation::half_log_determinant() there
 };
 

@@ -506,9 +506,7 @@ SurveyFit::Fitted SurveyFit::fit_rounded(const Iterate& start, double inflation)
 /// The corner w of a net of mean stretch s at which slack edges carry the nominal tension with
 /// lengths one standard deviation too long: T = EA/l_0 w^2 / std for e = -std, so s = w^2 / std.
 double SurveyFit::widest_corner() const {
-    const double stretch =
-        (edge_lengths(m_net, m_net.nodes()) - m_net.unstressed_lengths()).cwiseMax(0.0).mean();
-    return std::min(m_length_std, std::sqrt(stretch * m_length_std));
+    return std::min(m_length_std, std::sqrt(mean_stretch(m_net) * m_length_std));
 }
 
 /// (continuation): fits with a large noise, then with less and less, each from the result before.

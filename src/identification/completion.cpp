@@ -67,7 +67,7 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         // Lengths that leave the net nearly slack: nodes are loose, and the forces left there are
         // negligible.
         constexpr double negligible = 1e-7;
-        if (!result.predicted.balanced() &&
+        if (result.predicted.status == EquilibriumStatus::iteration_limit &&
             result.predicted.out_of_balance <=
                 negligible *
                     taut::tensions(net, net.unstressed_lengths(), net.nodes()).cwiseAbs().mean()) {
@@ -101,10 +101,13 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
     result.residuals = differences.colwise().norm().transpose();
     if (!result.predicted.balanced() && result.status == IdentificationStatus::converged) {
         result.status = IdentificationStatus::no_equilibrium;
-        result.message = fmt::format(
-            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
-            "iterations",
-            result.predicted.out_of_balance, result.predicted.iterations);
+        result.message =
+            result.predicted.status == EquilibriumStatus::unstable
+                ? "with the identified lengths the equilibrium is not stable: struts give way"
+                : fmt::format(
+                      "the identified lengths find no equilibrium: {:.4g} N out of balance "
+                      "after {} iterations",
+                      result.predicted.out_of_balance, result.predicted.iterations);
     }
 }
 

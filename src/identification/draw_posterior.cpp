@@ -59,8 +59,7 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
             "mean",
             shift.rms, shift.mean);
     }
-    const double stretch =
-        (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
+    const double stretch = mean_stretch(net);
     double known = 0.0;
     for (const IdentifiedEdge& edge : result.edges) {
         known += edge.std / static_cast<double>(result.edges.size());

@@ -188,7 +188,7 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     }
     const Eigen::VectorXd under = tensions(net, net.unstressed_lengths(), equilibrium.form);
     const Eigen::VectorXd& designed = planned.tensions();
-    const double highest = 2.0 * designed.maxCoeff();
+    const double highest = 2.0 * designed.cwiseAbs().maxCoeff();
     const Eigen::VectorXd& breaking = net.data().breaking_load;
     const Eigen::VectorXd& buckling = net.data().buckling_load;
     for (int e = 0; e < net.edge_count(); ++e) {

@@ -34,8 +34,7 @@ namespace {
 
 /// The likely reason, and what would help.
 std::string why_not_converged(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
-    const double stretch =
-        (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
+    const double stretch = mean_stretch(net);
     std::string text = "The fit did not converge within its iteration limit. ";
     if (stretch < prior.std()) {
         text += fmt::format(
@@ -228,7 +227,8 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
     std::vector<Eigen::Index> result;
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
-        const bool is_close = tensions(edge) < std::sqrt(std::max(0.0, variances(edge)));
+        const bool is_close =
+            !fit_net.is_strut(edge) && tensions(edge) < std::sqrt(std::max(0.0, variances(edge)));
         if (fitted.model().slack[edge] ||
             (is_close && !std::ranges::binary_search(net.adjustable_edges(), edge))) {
             result.push_back(i);

@@ -66,10 +66,11 @@ void add_tensions(const PlannedFit& planned, double relative_force_std,
     result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
     for (int e = 0; e < net.edge_count(); ++e) {
         const double tension = planned.tensions()(e);
-        if (planned.is_measured(e) || !(tension > 0.0) || !(variances(e) > 0.0)) {
+        if (planned.is_measured(e) || !(tension > 0.0 || net.is_strut(e)) ||
+            !(variances(e) > 0.0)) {
             continue;
         }
-        const double noise = relative_force_std * tension;
+        const double noise = relative_force_std * std::abs(tension);
         const double left = of_mean - with_mean(e) * with_mean(e) / (variances(e) + noise * noise);
         result.force_candidates.push_back({.edge = e,
                                            .tension = tension,

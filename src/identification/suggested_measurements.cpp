@@ -139,9 +139,17 @@ private:
     [[nodiscard]] const Points& form() const { return m_planned.iterate().form; }
 
     template <typename Add>
-    void for_taut_edges(const Add& add) {
+    void for_taut_cables(const Add& add) {
         for (int e = 0; e < net().edge_count(); ++e) {
-            if (m_planned.tensions()(e) > 0.0 && !m_planned.is_measured(e)) {
+            if (m_planned.tensions()(e) > 0.0 && !m_planned.is_measured(e) && !net().is_strut(e)) {
+                add(e, m_planned.tensions()(e));
+            }
+        }
+    }
+    template <typename Add>
+    void for_struts(const Add& add) {
+        for (int e = 0; e < net().edge_count(); ++e) {
+            if (net().is_strut(e) && !m_planned.is_measured(e)) {
                 add(e, m_planned.tensions()(e));
             }
         }
@@ -166,17 +174,19 @@ private:
     }
 
     void add_cells() {
-        for_taut_edges([&](int e, double tension) {
+        const auto add = [&](int e, double tension) {
             constexpr double part = 0.02;
-            const double std = part * tension;
+            const double std = part * std::abs(tension);
             add_force({.kind = MeasurementKind::load_cell, .expected = tension, .std = std},
                       {.edge = e, .tension = tension, .std = std});
-        });
+        };
+        for_taut_cables(add);
+        for_struts(add);
     }
 
     void add_frequencies() {
         int refused = 0;
-        for_taut_edges([&](int e, double tension) {
+        for_taut_cables([&](int e, double tension) {
             const auto [s, t] = net().edges()[e];
             const double length = (form().col(s) - form().col(t)).norm();
             const double frequency = expected_frequency(net(), e, length, tension).value_or(0.0);
@@ -196,7 +206,7 @@ private:
     void add_sags() {
         int refused = 0;
         const double noise = m_survey.rms_noise_std();
-        for_taut_edges([&](int e, double tension) {
+        for_taut_cables([&](int e, double tension) {
             const auto [s, t] = net().edges()[e];
             const Eigen::Vector3d chord = form().col(t) - form().col(s);
             const Eigen::Vector3d direction = chord.normalized();
@@ -245,8 +255,9 @@ private:
         if (m_survey.surveyed.empty()) {
             return;
         }
-        const double load =
-            m_options.load > 0.0 ? m_options.load : 0.05 * m_planned.tensions().mean();
+        const double load = m_options.load > 0.0
+                                ? m_options.load
+                                : 0.05 * mean_weights(net()).dot(m_planned.tensions());
         const std::vector<int> nodes = nodes_to_load(m_planned);
         std::vector<std::optional<LoadResponse>> responses(nodes.size());
         parallel_for(size_t{0}, nodes.size(), [&](size_t k) {
@@ -404,6 +415,10 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
                                      .by_loads = true})
             : uncertain);
     Candidates candidates(planned, survey, options);
+    if (!(mean_weights(net).dot(planned.tensions()) > 0.0)) {
+        throw std::invalid_argument(
+            "measurements are suggested for nets with cables in tension: this one has none");
+    }
     const Sought numbers = sought(planned, options.quantity);
     Update update(planned.joint_covariance(options.assume_site), numbers);
     MeasurementSuggestions result{.quantity = options.quantity,

@@ -33,16 +33,18 @@ ordered_json edges_json(const CableNet& net, const FormValues& values) {
     }
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
-        edges[std::to_string(s)][std::to_string(t)] = {
-            {"q", values.force_densities(e)},
-            {"f", values.tensions(e)},
-            {"l", values.lengths(e)},
-            {"l0", net.unstressed_lengths()(e)},
-            {"EA", values.axial_stiffness(e)},
-            {"is_slack", values.is_slack(e)},
-            {"is_adjustable", static_cast<bool>(adjustable[e])},
-            {"is_strut", net.is_strut(e)},
-            {"name", net.edge_id(e)}};
+        ordered_json& edge = edges[std::to_string(s)][std::to_string(t)];
+        edge = {{"q", values.force_densities(e)},
+                {"f", values.tensions(e)},
+                {"l", values.lengths(e)},
+                {"l0", net.unstressed_lengths()(e)},
+                {"EA", values.axial_stiffness(e)},
+                {"is_slack", values.is_slack(e)},
+                {"is_adjustable", static_cast<bool>(adjustable[e])},
+                {"name", net.edge_id(e)}};
+        if (net.has_struts()) {
+            edge["is_strut"] = net.is_strut(e);
+        }
     }
     return edges;
 }

@@ -17,7 +17,7 @@ struct FormValues {
     /// finds the same tension; of a slack one the first slope [N].
     Eigen::VectorXd axial_stiffness;
 
-    std::vector<bool> is_strut;
+    std::vector<bool> is_strut;  ///< m
 
     [[nodiscard]] bool is_slack(int edge) const { return tensions(edge) <= 0.0 && !is_strut[edge]; }
 };

@@ -187,7 +187,9 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
                             "axial stiffness: check the units of forces and stiffness",
                             tensions(e), -result.axial_stiffness(e)));
         }
-        result.is_pressed.push_back(tensions(e) < 0.0);
+        // Less is a rounding error of a program that balances forces.
+        constexpr double negligible = 1e-9;
+        result.is_pressed.push_back(tensions(e) < -negligible * tensions.cwiseAbs().mean());
     }
     if (takes_stored_lengths(stored, force_unit, report)) {
         result.unstressed = *stored.unstressed;

@@ -146,6 +146,9 @@ Eigen::VectorXd read_buckling_loads(const std::optional<JsonValue>& value,
     if (!value) {
         return {};
     }
+    if (std::ranges::find(data.kind, EdgeKind::strut) == data.kind.end()) {
+        value->fail("is given, but no edge is a strut by \"kind\"");
+    }
     Eigen::VectorXd loads =
         Eigen::VectorXd::Constant(std::ssize(data.edges), std::numeric_limits<double>::infinity());
     if (value->json().is_number()) {

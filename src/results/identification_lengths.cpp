@@ -86,6 +86,9 @@ Description<CommonDeviation> describe(const CommonDeviation* /*type*/) {
         .key("run_std", &Common::run_std, size,
              "Relative standard deviation of the scales of runs, posterior mean.")
         .key("run_probability", &Common::run_probability, part, "That runs have such scales.")
+        .newer("struts", &Common::struts, "Common excess of struts [m].")
+        .newer("struts_std", &Common::struts_std, size,
+               "Its standard deviation; 0: struts have the mean of all [m].")
         .newer("adjustable", &Common::adjustable, "Common excess of adjustable edges [m].")
         .newer("adjustable_std", &Common::adjustable_std, size,
                "Its standard deviation; 0: their lengths are as given [m].");

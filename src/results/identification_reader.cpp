@@ -270,15 +270,7 @@ IdentificationResult read_identification(const JsonValue& root) {
     }
     check_covariances(root, "form_covariance", result.net);
     if (root.find("tension")) {
-        const Eigen::VectorXd tensions =
-            require_list(root, "tension", result.net.edge_count(), "a number for each edge");
-        for (int e = 0; e < tensions.size(); ++e) {
-            if (!result.net.is_strut(e) && tensions(e) < 0.0) {
-                member(root, "tension")
-                    .at(static_cast<size_t>(e))
-                    .fail(fmt::format("is {}, expected a number of at least 0", tensions(e)));
-            }
-        }
+        require_tension_list(root, "tension", result.net);
     }
     if (const auto mean_tension = find_unless_null(root, "mean_tension")) {
         require_at_most(*mean_tension, "lower", "upper");

@@ -89,6 +89,9 @@ PlanResult read_plan(const JsonValue& root) {
             last = edge.integer();
         }
     }
+    for (const JsonValue& stage : entries(root, "stages")) {
+        require_tensions(stage, {"least_tension", "most_tension"}, plan.net);
+    }
     std::set<int> turned;
     for (const JsonValue& turn : entries(root, "turns")) {
         turned.insert(read_turn(turn, plan.net));

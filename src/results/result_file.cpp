@@ -73,8 +73,7 @@ StudyResult read_study(const JsonValue& root) {
     static_cast<void>(form_of(sample, "true_form"));
     static_cast<void>(form_of(sample, "identified_form"));
     for (const char* key : {"true_tension", "identified_tension"}) {
-        static_cast<void>(
-            require_list(sample, key, study.net.edge_count(), "a number for each edge"));
+        require_tension_list(sample, key, study.net);
     }
     const JsonValue form_error = member(sample, "form_error");
     study.nominal_form_error = require_list(form_error, "nominal", n, each_node);

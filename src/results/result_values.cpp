@@ -146,6 +146,18 @@ void require_at_most(const JsonValue& parent, const char* key, const char* whole
     }
 }
 
+void require_tension_list(const JsonValue& parent, const char* key, const CableNet& net) {
+    const Eigen::VectorXd tensions =
+        require_list(parent, key, net.edge_count(), "a number for each edge");
+    for (int e = 0; e < tensions.size(); ++e) {
+        if (!net.is_strut(e) && tensions(e) < 0.0) {
+            member(parent, key)
+                .at(static_cast<size_t>(e))
+                .fail(fmt::format("is {}, expected a number of at least 0", tensions(e)));
+        }
+    }
+}
+
 void require_tensions(const JsonValue& parent, std::initializer_list<const char*> keys,
                       const CableNet& net, int edge) {
     if (edge < 0 ? net.has_struts() : net.is_strut(edge)) {

@@ -55,6 +55,9 @@ void require_equal(const JsonValue& parent, const char* key, int expected, std::
 /// A number of an object that is at most another one; each may be missing.
 void require_at_most(const JsonValue& parent, const char* key, const char* whole);
 
+/// Checks a list of the tensions of all edges, of which only struts may have negative ones.
+void require_tension_list(const JsonValue& parent, const char* key, const CableNet& net);
+
 /// Refuses a negative number or null under any of these keys, which may be missing: the tension of
 /// a cable. Negative are those of struts.
 /// @param edge of the tensions; -1: of all edges together

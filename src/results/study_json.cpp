@@ -59,7 +59,6 @@ ResultJson all_errors(const Study& study) {
 
 Description<Study> sample_of_study() {
     const Rule numbers = Rule::list_of(Rule::number());
-    const Rule sizes = Rule::list_of(size);
     const Rule points = Rule::list_of(Rule::point());
     return Description<Study>("", "The first validation sample.")
         .newer("index", TAUT_VALUE(it.validation.front()))
@@ -69,11 +68,12 @@ Description<Study> sample_of_study() {
         .key("true_form", TAUT_VALUE(points_json(true_form(it))), points)
         .key("identified_form", TAUT_VALUE(points_json(it.identified_form)), points)
         .key("true_tension",
-             TAUT_VALUE(numbers_json(tensions_of(it, true_deviation(it), true_form(it)), 6)), sizes)
+             TAUT_VALUE(numbers_json(tensions_of(it, true_deviation(it), true_form(it)), 6)),
+             numbers)
         .key("identified_tension",
              TAUT_VALUE(
                  numbers_json(tensions_of(it, it.estimates.mean.col(0), it.identified_form), 6)),
-             sizes)
+             numbers)
         .object(
             "form_error",
             Description<Study>()

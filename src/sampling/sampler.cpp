@@ -22,6 +22,9 @@ namespace {
 
 Equilibrium nominal_equilibrium(const CableNet& net) {
     Equilibrium nominal = solve_equilibrium(net);
+    if (nominal.status == EquilibriumStatus::unstable) {
+        throw NumericalError("the nominal net is not stable: struts give way");
+    }
     if (!nominal.balanced()) {
         throw NumericalError(fmt::format(
             "the nominal net finds no equilibrium: {} N out of balance after {} iterations",

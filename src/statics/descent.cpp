@@ -3,6 +3,7 @@
 #include "statics/descent.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -66,10 +67,12 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
         if (!keeps_factor && !find_direction(net, stiffness, state, shift)) {
             return result;
         }
+        bool is_cut = false;
         if (!net.is_convex()) {
             const double farthest =
                 m_direction.reshaped(3, net.free_count).colwise().norm().maxCoeff();
-            m_direction *= std::min(1.0, m_reach / farthest);
+            is_cut = farthest > m_reach;
+            m_direction *= is_cut ? m_reach / farthest : 1.0;
         }
         const LineSearchStep step = search_line(net, state, m_direction, m_trial);
         if (!step.accepted) {
@@ -88,7 +91,7 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
         energy_decreases.push_back(step.energy_decrease);
         // A full step shows that the quadratic model is good: back towards the pure Newton step. A
         // short one shows that edges went slack or taut on the way.
-        is_fast = step.length == 1.0 && shift == 0.0;
+        is_fast = step.length == 1.0 && shift == 0.0 && !is_cut;
         if (step.length == 1.0) {
             shift = shift > 10.0 * smallest_shift ? 0.1 * shift : shift;
         } else if (step.length < shortest_fair_step) {
@@ -129,6 +132,27 @@ bool is_unstable(const LocalNet& net, Stiffness& stiffness, const NetState& stat
     stiffness.matrix.assemble(net, state.edges());
     stiffness.matrix.add_shift(smallest_shift);
     return !stiffness.factorize();
+}
+
+Eigen::VectorXd direction_of_collapse(const LocalNet& net, Stiffness& stiffness,
+                                      const NetState& state) {
+    // Inverse iteration with the least shift that makes the stiffness positive definite.
+    constexpr int rounds = 8;
+    double shift = smallest_shift;
+    do {
+        shift *= 3.0;
+        stiffness.matrix.assemble(net, state.edges());
+        stiffness.matrix.add_shift(shift);
+    } while (!stiffness.factorize() && shift < largest_shift);
+    // Without a pattern that a net could share.
+    Eigen::VectorXd direction = Eigen::VectorXd::NullaryExpr(net.loads.size(), [](Eigen::Index i) {
+        return std::sin(12.9898 * static_cast<double>(i + 1));
+    });
+    for (int round = 0; round < rounds; ++round) {
+        stiffness.factor.solve(direction);
+        direction /= direction.reshaped(3, net.free_count).colwise().norm().maxCoeff();
+    }
+    return direction;
 }
 
 bool is_mechanism(const LocalNet& net, Stiffness& stiffness, const NetState& state) {

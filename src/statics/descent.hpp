@@ -33,6 +33,9 @@ class Descent {
 public:
     explicit Descent(const LocalNet& net);
 
+    /// Largest move of a node in a step; infinite without struts [m].
+    [[nodiscard]] double reach() const { return m_reach; }
+
     /// Steps until the forces balance or a limit is reached. Continues below the tolerance until
     /// rounding errors stop it or a hundredth of it is reached.
     /// @param energy_decreases receives one entry a step [J]
@@ -53,6 +56,11 @@ private:
 
 /// Whether struts give way: the stiffness of a net in equilibrium has a negative eigenvalue.
 [[nodiscard]] bool is_unstable(const LocalNet& net, Stiffness& stiffness, const NetState& state);
+
+/// A direction in which the energy falls away from an unstable equilibrium: near the eigenvector of
+/// the most negative stiffness (3 n_I), the largest move of a node 1.
+[[nodiscard]] Eigen::VectorXd direction_of_collapse(const LocalNet& net, Stiffness& stiffness,
+                                                    const NetState& state);
 
 /// Whether slack edges leave nodes of a net in equilibrium loose: its stiffness is singular up to
 /// rounding errors.

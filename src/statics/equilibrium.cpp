@@ -63,6 +63,31 @@ struct EquilibriumSolver::Workspace {
           state(net),
           before(net) {}
 
+    /// A search by symmetry may end where struts give way. Goes on from a little beside it, to
+    /// either side; taken if a stable form is found within the reach of a step. Farther ones are
+    /// those of a net that has collapsed.
+    void leave_saddle(Equilibrium& result) {
+        constexpr double nudge = 1e-3;
+        const Eigen::VectorXd collapse = direction_of_collapse(net, stiffness, state);
+        before = state;
+        for (const double side : {1.0, -1.0}) {
+            state = before;
+            state.form().reshaped().head(collapse.size()) +=
+                side * nudge * descent.reach() * collapse;
+            state.update(net);
+            const auto [balanced, steps] =
+                descent.run(net, stiffness, state, settings.relative_tolerance,
+                            {.max_steps = std::max(0, settings.max_iterations - result.iterations)},
+                            result.energy_decreases);
+            result.iterations += steps;
+            const double moved = (state.form() - before.form()).colwise().norm().maxCoeff();
+            if (balanced && moved <= descent.reach() && !is_unstable(net, stiffness, state)) {
+                return;
+            }
+        }
+        state = before;
+    }
+
     /// Interior-point steps. Together they count as one step, which is taken only if it lowers the
     /// energy.
     /// @return their number
@@ -123,6 +148,10 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
         result.iterations +=
             w.approach((limit - result.iterations + 1) / 2, result.energy_decreases);
         balanced = descend({.max_steps = limit - result.iterations});
+    }
+
+    if (balanced && is_unstable(w.net, w.stiffness, state)) {
+        w.leave_saddle(result);
     }
 
     result.form = w.net.scatter(state.form());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/imbalance.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "taut/statics/energy.hpp"
@@ -21,8 +22,11 @@ Imbalance imbalance(const CableNet& net,
                     const Eigen::Ref<const Points>& form) {
     const Eigen::VectorXd forces = out_of_balance_forces(net, unstressed_lengths, form);
     Eigen::VectorXd tension = tensions(net, unstressed_lengths, form);
+    const bool has_taut_cable = (mean_weights(net).array() * tension.array() > 0.0).any();
     for (int e = 0; e < net.edge_count(); ++e) {
-        tension(e) = net.is_strut(e) ? 0.0 : tension(e);
+        if (net.is_strut(e)) {
+            tension(e) = has_taut_cable ? 0.0 : std::abs(tension(e));
+        }
     }
     const auto taut_count = static_cast<double>((tension.array() > 0.0).count());
     return {.largest = forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff(),

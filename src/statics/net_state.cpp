@@ -81,7 +81,7 @@ std::vector<int> NetState::slack_edges() const {
 }
 
 double NetState::mean_tension() const {
-    return m_taut_cables.mean();
+    return m_taut_cables.count > 0 ? m_taut_cables.mean() : mean_force();
 }
 
 double NetState::mean_force() const {

@@ -29,7 +29,7 @@ public:
     /// Largest norm of the forces h_s over the free nodes [N].
     [[nodiscard]] double largest_force() const;
     [[nodiscard]] std::vector<int> slack_edges() const;
-    /// Over the taut cables; 0 if all are slack [N].
+    /// Over the taut cables; mean_force() if there are none [N].
     [[nodiscard]] double mean_tension() const;
     /// Mean size of the forces in taut cables and struts; 0 if there are none [N].
     [[nodiscard]] double mean_force() const;

@@ -49,4 +49,9 @@ Eigen::VectorXd mean_weights(const CableNet& net) {
                        : Eigen::VectorXd::Constant(net.edge_count(), 1.0 / net.edge_count());
 }
 
+double mean_stretch(const CableNet& net) {
+    return mean_weights(net).dot(
+        (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0));
+}
+
 }  // namespace taut

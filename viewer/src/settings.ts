@@ -13,8 +13,9 @@ function priorWords(prior: Identification["prior"]): string {
   const found = `estimated, standard deviation ${millimetres(prior.std)} ± ${millimetres(prior.std_std)} mm`;
   const common = prior.common && prior.common.mean_std > 0 ? `; mean of all ${millimetres(prior.common.mean)} ± ${millimetres(prior.common.mean_std)} mm` : "";
   const turnbuckles = prior.common?.adjustable_std ? `; adjustable edges ${millimetres(prior.common.adjustable ?? 0)} ± ${millimetres(prior.common.adjustable_std)} mm longer (mean)` : "";
+  const struts = prior.common?.struts_std ? `; struts ${millimetres(prior.common.struts ?? 0)} ± ${millimetres(prior.common.struts_std)} mm longer than that (mean)` : "";
   const runs = prior.common && prior.common.run_probability > 0.5 ? `; scales of cable runs ${(100 * prior.common.run_std).toPrecision(2)} %` : "";
-  return `${prior.given ?? "none given"}; ${found}${common}${turnbuckles}${runs}; uniform with a probability of ${percent(prior.uniform_probability)} %; mixture of ${counted(prior.nodes.length, "prior")}`;
+  return `${prior.given ?? "none given"}; ${found}${common}${struts}${turnbuckles}${runs}; uniform with a probability of ${percent(prior.uniform_probability)} %; mixture of ${counted(prior.nodes.length, "prior")}`;
 }
 
 const mostLimits = 6;

@@ -43,6 +43,7 @@ after(async () => {
 
 async function open(options = {}, opener = browser) {
   const page = await ("newContext" in opener ? opener.newPage({ viewport: { width: 1280, height: 900 }, ...options }) : opener.newPage());
+  page.setDefaultTimeout(120_000);  // a second survey takes seconds, more beside other work
   page.complaints = [];
   page.on("request", (request) => {
     if (!/^(file|data|blob|about):/.test(request.url())) page.complaints.push(`request ${request.url()}`);

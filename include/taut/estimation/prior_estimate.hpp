@@ -21,6 +21,8 @@ struct CommonDeviation {
     int runs = 0;                  ///< of cable, cable_runs(), whose lengths were tried for a scale
     double run_std = 0.0;          ///< of the scales of the runs, posterior mean, relative
     double run_probability = 0.0;  ///< that there are such scales
+    double struts = 0.0;           ///< what all struts are longer than that [m]
+    double struts_std = 0.0;       ///< of that; 0: struts share the mean of all [m]
     double adjustable = 0.0;       ///< what all adjustable edges are longer than given [m]
     double adjustable_std = 0.0;   ///< of that; 0: their lengths are taken as given [m]
 };

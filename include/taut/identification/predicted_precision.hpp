@@ -34,7 +34,7 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
     double prior_std = 0.0;            ///< of each length deviation, before the survey [m]
     std::vector<EdgePrecision> edges;  ///< one an interior edge, in their order
 
-    double mean_tension = 0.0;      ///< over all edges, in the form of the prediction [N]
+    double mean_tension = 0.0;      ///< over all cables, in the form of the prediction [N]
     double mean_tension_std = 0.0;  ///< after the survey and the given measurements [N]
     /// All taut edges without a given measurement, the one whose measurement gains most first.
     std::vector<TensionPrecision> force_candidates;

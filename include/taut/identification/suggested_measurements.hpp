@@ -32,7 +32,7 @@ enum class MeasurementKind {
 
 /// What measurements are to make sure.
 enum class SoughtQuantity {
-    mean_tension,   ///< over all edges
+    mean_tension,   ///< over all cables
     worst_tension,  ///< the one that is least known
     form,           ///< root mean square over all coordinates of the free nodes
 };

@@ -57,6 +57,7 @@ struct ImportedNet {
 /// supports and nodes without edges are left out; edges at supports are adjustable. Where the file
 /// gives unstressed lengths that agree with its forces, they are taken; else l_0 = l / (1 + strain
 /// at T), T/EA where edges are linear, with T = q l, or T = f.
+///
 /// Struts are those of the attribute is_strut, else the edges in compression.
 /// @throws InputError naming the node or edge: a cable in compression, a strain above 10 %, no
 ///   axial stiffness, a rule of CableNet that is broken

@@ -45,8 +45,7 @@ struct EnergyCertificate {
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form coordinates of all nodes (3 x n) [m]
 /// @throws std::invalid_argument for a net with struts, wrong sizes, unstressed lengths that are
-/// not positive and
-///   finite, coordinates and forces that are not finite
+///   not positive and finite, coordinates and forces that are not finite
 [[nodiscard]] TAUT_CORE_EXPORT EnergyCertificate
 certify(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
         const Eigen::Ref<const Points>& form);

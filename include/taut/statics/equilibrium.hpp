@@ -45,9 +45,10 @@ struct EquilibriumSettings {
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
     EquilibriumStatus status = EquilibriumStatus::iteration_limit;  ///< how the iterations ended
-    int iterations = 0;            ///< Newton and interior-point steps taken
-    double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
-    double mean_tension = 0.0;     ///< over the taut cables [N]
+    int iterations = 0;           ///< Newton and interior-point steps taken
+    double out_of_balance = 0.0;  ///< largest norm of a nodal force h_s [N]
+    /// Over the taut cables; where none is taut, the mean size of the forces of struts [N].
+    double mean_tension = 0.0;
     std::vector<int> slack_edges;  ///< ascending
     /// Of each step, summed edge by edge; never negative except for rounding errors. All
     /// interior-point steps together make one entry, if they lower the energy [J].

@@ -9,8 +9,9 @@ namespace taut {
 
 /// Imbalance of a form for given lengths and loads.
 struct TAUT_CORE_EXPORT Imbalance {
-    double largest = 0.0;       ///< out-of-balance force at a free node, |h_s| [N]
-    double mean_tension = 0.0;  ///< over the taut edges; 0 if all are slack [N]
+    double largest = 0.0;  ///< out-of-balance force at a free node, |h_s| [N]
+    /// Over the taut cables; where none is taut, the mean size of the forces of struts [N].
+    double mean_tension = 0.0;
 
     /// largest / mean_tension; infinite if forces act and no edge is taut.
     [[nodiscard]] double share() const;

@@ -31,4 +31,7 @@ namespace taut {
 /// struts.
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd mean_weights(const CableNet& net);
 
+/// How much longer cables are than unstressed at the net's nodes, in the mean, 0 where slack [m].
+[[nodiscard]] TAUT_CORE_EXPORT double mean_stretch(const CableNet& net);
+
 }  // namespace taut
