@@ -178,6 +178,33 @@ TEST(Epochs, DetermineMoreThanOneSurvey) {
     EXPECT_LT(inside, 0.98);
 }
 
+TEST(Epochs, SayMoreOfCompressedStrutsToo) {
+    const CableNet dome = cable_dome();
+    const test::SimulatedSurvey first = test::simulate(dome, prior, noise, 5);
+    Survey again = first.survey;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal(0.0, noise);
+    for (const int node : dome.free_nodes()) {
+        for (int k = 0; k < 3; ++k) {
+            again.form(k, node) = first.truth.form(k, node) + normal(random);
+        }
+    }
+    const auto mean_std_of_struts = [&](const Identification& found) {
+        double sum = 0.0;
+        int count = 0;
+        for (const IdentifiedEdge& edge : found.edges) {
+            sum += dome.is_strut(edge.edge) ? edge.std : 0.0;
+            count += dome.is_strut(edge.edge) ? 1 : 0;
+        }
+        return sum / count;
+    };
+    const Identification alone = identify(dome, first.survey, with_prior());
+    const std::vector<Epoch> epochs{{.survey = first.survey, .turned = {}},
+                                    {.survey = again, .turned = {}}};
+    const Identification both = identify_epochs(dome, epochs, with_prior());
+    EXPECT_LT(mean_std_of_struts(both), 0.85 * mean_std_of_struts(alone));
+}
+
 /// What no survey shows stays uncertain, however many there are, and accuses nothing.
 TEST(Epochs, DoNotAverageSupportsThatAreOff) {
     constexpr double off = 1e-3;

@@ -89,6 +89,12 @@ def test_struts_go_through_identification_and_a_plan(tmp_path):
     assert taut.Plan.load(tmp_path / "plan.json").to_dict()["tension"]["least"] < 0
 
 
+def test_a_study_of_a_net_with_struts_is_read_back(tmp_path):
+    study = taut.reproduce(taut.tensegrity_simplex(), prior="uniform:1mm", samples=40, validation=5)
+    assert min(study["sample"]["true_tension"]) < 0
+    assert min(study["sample"]["identified_tension"]) < 0
+
+
 def on_springs():
     """The cross with a support that gives way along its cable, and one that does everywhere."""
     data = arrays()

@@ -104,6 +104,40 @@ TEST(Strut, IsNotStableWithoutGuysThatHoldIt) {
               energy(net, net.unstressed_lengths(), e.form));
 }
 
+/// A mast of two struts with four guys at either level; the upper ones are slack.
+CableNet leaning_mast() {
+    CableNetData data;
+    data.nodes = Points{{0.0, 0.0, 0.0, 3.0, -3.0, 0.0, 0.0},
+                        {0.0, 0.0, 0.0, 0.0, 0.0, 3.0, -3.0},
+                        {0.0, 3.0, 5.97, 0.0, 0.0, 0.0, 0.0}};
+    data.supports = {0, 3, 4, 5, 6};
+    data.edges = {{0, 1}, {1, 2}};
+    for (const int level : {1, 2}) {
+        for (const int foot : {3, 4, 5, 6}) {
+            data.edges.push_back({level, foot});
+        }
+    }
+    data.axial_stiffness = Eigen::VectorXd::Constant(10, 2e6);
+    data.unstressed_lengths = Eigen::VectorXd::Constant(10, std::hypot(3.0, 3.0) - 0.02);
+    data.unstressed_lengths.head(2) << 3.005, 2.97;
+    data.unstressed_lengths.tail(4).setConstant(std::hypot(3.0, 6.0) - 0.005);
+    data.kind.assign(10, EdgeKind::cable);
+    data.kind[0] = data.kind[1] = EdgeKind::strut;
+    data.loads = Points::Zero(3, 7);
+    data.loads(2, 2) = -2000.0;
+    return CableNet(std::move(data));
+}
+
+TEST(Strut, LeavesASaddleForAStableFormBesideIt) {
+    const CableNet net = leaning_mast();
+    const Equilibrium e = solve_equilibrium(net);
+    ASSERT_EQ(e.status, EquilibriumStatus::converged);
+    EXPECT_GT(smallest_stiffness(net, net.unstressed_lengths(), e.form), 0.0);
+    const double lean = e.form.topRows<2>().col(2).norm();
+    EXPECT_GT(lean, 1e-3);
+    EXPECT_LT(lean, 0.5);
+}
+
 TEST(Strut, SnapsThroughUnderItsCriticalLoad) {
     // To first order at 2 EA (h/l)^3 / (3 sqrt(3)) = 38.5 N, and the cables add little.
     const Equilibrium below = solve_equilibrium(toggle(35.0));
