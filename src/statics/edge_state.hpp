@@ -20,7 +20,7 @@ struct EdgeState {
     double tension;             ///< T, negative in a compressed strut [N]
     bool is_strut;
 
-    /// Whether the edge carries force: a taut cable, or a strut.
+    /// Whether the edge carries force: a taut cable, or a strut, (strut-energy).
     [[nodiscard]] bool carries() const { return extension > 0.0 || is_strut; }
     /// T / l, stiffness across the edge [N/m].
     [[nodiscard]] double force_density() const {

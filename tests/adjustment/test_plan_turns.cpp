@@ -67,7 +67,8 @@ TEST(LimitsOfStruts, AreTheirBucklingLoadsAndWhatIsAskedOfTheirGroup) {
     EXPECT_EQ(of_group.lower(strut), -2e4);
     EXPECT_EQ(of_group.upper(strut), -1e3);
     EXPECT_EQ(of_group.lower(net.data().groups.at("ridge")[0]), 0.0);
-    request.tension = {{.least = newtons(-2e5), .group = "strut"}};  // looser than the buckling load
+    // Looser than the buckling load.
+    request.tension = {{.least = newtons(-2e5), .group = "strut"}};
     EXPECT_EQ(resolve(net, net, request).limits.tension.lower(strut), -4e4);
     request.tension = {{.least = newtons(-2e4), .group = "ridge"}};
     EXPECT_THAT([&] { (void)resolve(net, net, request); },
