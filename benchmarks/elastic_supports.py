@@ -124,6 +124,14 @@ def in_a_frame(form, random):
     return form + (form - form.mean(axis=0)) @ (turn - turn.T).T + 5e-3 * random.normal(size=3)
 
 
+def write_survey(net, form, noise, random):
+    """Nine of ten free nodes, in a coordinate system of their own, with noise."""
+    seen = net.free[random.random(len(net.free)) >= 0.1]
+    places = in_a_frame(form, random) + quantity(noise) * random.normal(size=form.shape)
+    lines = [f"{node}," + ",".join(map(repr, map(float, places[node]))) + "\n" for node in seen]
+    (net.folder / "survey.csv").write_text("".join(lines))
+
+
 def rows(case, folder, totals):
     name, prior, noise, surveys = case
     net = OnSprings(name, folder)
@@ -131,10 +139,7 @@ def rows(case, folder, totals):
     for seed in range(surveys):
         job = net.built(prior, seed)
         random = np.random.default_rng(10_000 + seed)
-        seen = net.free[random.random(len(net.free)) >= 0.1]
-        places = in_a_frame(job[0], random) + quantity(noise) * random.normal(size=job[0].shape)
-        lines = [f"{node}," + ",".join(map(repr, map(float, places[node]))) + "\n" for node in seen]
-        (folder / "survey.csv").write_text("".join(lines))
+        write_survey(net, job[0], noise, random)
         one = random.choice(net.rigid["supports"])
         for false, row in found.items():
             net.give(*FALSE[false], one)

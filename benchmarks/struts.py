@@ -14,8 +14,8 @@ import pathlib
 import tempfile
 
 import numpy as np
-from coverage import Net, quantity
-from elastic_supports import SITE, Row, Totals, in_a_frame
+from coverage import Net
+from elastic_supports import SITE, Row, Totals, write_survey
 from page_block import show
 
 # net, prior, noise, surveys
@@ -60,10 +60,7 @@ def rows(case, folder, totals):
 
             net.alter = alter
             job = net.build(prior, [*SITE, "supports:1mm"], seed)
-            seen = net.free[random.random(len(net.free)) >= 0.1]
-            places = in_a_frame(job[0], random) + quantity(noise) * random.normal(size=job[0].shape)
-            lines = [f"{node}," + ",".join(map(repr, map(float, places[node]))) + "\n" for node in seen]
-            (folder / "survey.csv").write_text("".join(lines))
+            write_survey(net, job[0], noise, random)
             give(net, factor, knows_struts)
             row.add(net, (*job[:3], 0.0), prior, noise)
         totals.add(false, row)

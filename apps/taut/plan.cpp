@@ -270,7 +270,7 @@ std::string kept_text(const LimitBreach& breach) {
 
 void print_limits(const PlanRecord& record) {
     const Plan& plan = record.turns->plan;
-    const bool is_limited = record.turns->limits.has_forces();
+    const bool is_limited = record.turns->limits.has_forces(record.built->net);
     if (!is_limited) {
         say("no limits of tension or reaction were given\n");
     }

@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -78,10 +77,13 @@ TensionLimits TensionLimits::no_slack(const CableNet& net) {
     return limits;
 }
 
-bool Limits::has_forces() const {
-    const auto is_given = [](double lower) { return lower != 0.0 && std::isfinite(lower); };
-    return std::ranges::any_of(tension.lower, is_given) ||
-           std::isfinite(tension.upper.minCoeff()) || !reactions.empty() || !load_cases.empty();
+bool Limits::has_forces(const CableNet& net) const {
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (net.is_strut(e) ? std::isfinite(tension.lower(e)) : tension.lower(e) > 0.0) {
+            return true;
+        }
+    }
+    return std::isfinite(tension.upper.minCoeff()) || !reactions.empty() || !load_cases.empty();
 }
 
 Limits limits_of_stroke(const CableNet& net, size_t edges, double stroke) {

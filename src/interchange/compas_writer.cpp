@@ -39,7 +39,7 @@ ordered_json edges_json(const CableNet& net, const FormValues& values) {
                 {"l", values.lengths(e)},
                 {"l0", net.unstressed_lengths()(e)},
                 {"EA", values.axial_stiffness(e)},
-                {"is_slack", values.is_slack(e)},
+                {"is_slack", values.is_slack(net, e)},
                 {"is_adjustable", static_cast<bool>(adjustable[e])},
                 {"name", net.edge_id(e)}};
         if (net.has_struts()) {

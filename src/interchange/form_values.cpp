@@ -14,10 +14,8 @@ FormValues form_values(const CableNet& net, const Points& form) {
     FormValues values{.lengths = edge_lengths(net, form),
                       .tensions = tensions(net, net.unstressed_lengths(), form),
                       .force_densities = {},
-                      .axial_stiffness = net.axial_stiffness(),
-                      .is_strut = {}};
+                      .axial_stiffness = net.axial_stiffness()};
     for (int e = 0; e < net.edge_count(); ++e) {
-        values.is_strut.push_back(net.is_strut(e));
         if (values.lengths(e) == 0.0) {
             throw std::invalid_argument(
                 fmt::format("edge {} has no length in the form", net.edge_id(e)));
@@ -25,7 +23,7 @@ FormValues form_values(const CableNet& net, const Points& form) {
         if (const TensionLaw* law = net.tension_law(e); law != nullptr) {
             const double strain = values.lengths(e) / net.unstressed_lengths()(e) - 1.0;
             values.axial_stiffness(e) =
-                values.is_slack(e) ? law->at(0.0).slope : values.tensions(e) / strain;
+                values.is_slack(net, e) ? law->at(0.0).slope : values.tensions(e) / strain;
         }
     }
     values.force_densities = values.tensions.cwiseQuotient(values.lengths);

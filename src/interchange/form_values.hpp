@@ -17,9 +17,9 @@ struct FormValues {
     /// finds the same tension; of a slack one the first slope [N].
     Eigen::VectorXd axial_stiffness;
 
-    std::vector<bool> is_strut;  ///< m
-
-    [[nodiscard]] bool is_slack(int edge) const { return tensions(edge) <= 0.0 && !is_strut[edge]; }
+    [[nodiscard]] bool is_slack(const CableNet& net, int edge) const {
+        return tensions(edge) <= 0.0 && !net.is_strut(edge);
+    }
 };
 
 /// @param form 3 x n [m]

@@ -64,7 +64,7 @@ std::string form_to_vtk(const CableNet& net, const Points& form) {
     result += numbers("length", values.lengths);
     result += numbers("unstressed_length", net.unstressed_lengths());
     result += numbers("axial_stiffness", values.axial_stiffness);
-    result += scalars("is_slack", "int", m, [&](int e) { return int{values.is_slack(e)}; });
+    result += scalars("is_slack", "int", m, [&](int e) { return int{values.is_slack(net, e)}; });
     if (net.has_struts()) {
         result += scalars("is_strut", "int", m, [&](int e) { return int{net.is_strut(e)}; });
     }

@@ -149,7 +149,13 @@ void check_strains(const ImportedStructure& structure, const Stored& stored,
                         "forces and stiffness",
                         100.0 * strains(worst), 100.0 * largest_strain));
     }
-    const auto slack = (strains <= 0.0 && !is_pressed).count();
+    int slack = 0;
+    for (Eigen::Index e = 0; e < strains.size(); ++e) {
+        const auto& numbers = structure.edges[e].numbers;
+        const auto strut = numbers.find("is_strut");
+        const bool is_strut = is_pressed(e) || (strut != numbers.end() && strut->second != 0.0);
+        slack += strains(e) <= 0.0 && !is_strut ? 1 : 0;
+    }
     if (slack > 0 && stored.unstressed) {
         report.warnings.push_back(fmt::format("{} edges are slack in the given form", slack));
     }
@@ -190,6 +196,13 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
         // Less is a rounding error of a program that balances forces.
         constexpr double negligible = 1e-9;
         result.is_pressed.push_back(tensions(e) < -negligible * tensions.cwiseAbs().mean());
+        if (result.is_pressed.back() && !result.tension_law.empty() && result.tension_law[e] >= 0) {
+            fail_at(
+                structure, edge,
+                fmt::format("is in compression ({:.6g} N), but has a stress-strain curve, which "
+                            "is for cables: expected an axial stiffness or a modulus",
+                            tensions(e)));
+        }
     }
     if (takes_stored_lengths(stored, force_unit, report)) {
         result.unstressed = *stored.unstressed;

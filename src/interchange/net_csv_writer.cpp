@@ -26,7 +26,7 @@ NetCsv form_to_net_csv(const CableNet& net, const Points& form) {
             fmt::format("{},{},{},{},{},{},{},{},{},{}{}\n", csv_field(net.node_id(s)),
                         csv_field(net.node_id(t)), values.force_densities(e), values.tensions(e),
                         values.lengths(e), net.unstressed_lengths()(e), values.axial_stiffness(e),
-                        int{values.is_slack(e)}, int{adjustable[e]},
+                        int{values.is_slack(net, e)}, int{adjustable[e]},
                         !net.has_struts() ? ""
                         : net.is_strut(e) ? "1,"
                                           : "0,",

@@ -27,7 +27,7 @@ std::string form_to_obj(const CableNet& net, const Points& form) {
         result += fmt::format("# {} T={} q={} l0={} EA={}{}\nl {} {}\n", printable(net.edge_id(e)),
                               values.tensions(e), values.force_densities(e),
                               net.unstressed_lengths()(e), values.axial_stiffness(e),
-                              values.is_slack(e) ? " slack" : "", s + 1, t + 1);
+                              values.is_slack(net, e) ? " slack" : "", s + 1, t + 1);
     }
     result += "g supports\n";
     for (const int node : net.all_supports()) {

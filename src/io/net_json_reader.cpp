@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <string>
 #include <utility>
 
 #include "files/json_parse.hpp"
@@ -114,30 +115,24 @@ std::vector<int> read_law_indices(const std::optional<JsonValue>& list) {
     return indices;
 }
 
-std::vector<Thread> read_threads(const std::optional<JsonValue>& list) {
-    std::vector<Thread> threads(list ? list->array_size("an array of right and left") : 0);
-    for (size_t k = 0; k < threads.size(); ++k) {
-        const JsonValue value = list->at(k);
+/// A list of either of two words.
+template <class T>
+std::vector<T> read_words(const std::optional<JsonValue>& list,
+                          const std::pair<std::string, T>& one,
+                          const std::pair<std::string, T>& other) {
+    std::vector<T> values;
+    const size_t count =
+        list ? list->array_size(fmt::format("an array of {} and {}", one.first, other.first)) : 0;
+    for (size_t i = 0; i < count; ++i) {
+        const JsonValue value = list->at(i);
         const std::string& text = value.text();
-        if (text != "right" && text != "left") {
-            value.fail(fmt::format(R"(is {}, expected "right" or "left")", quote(text)));
+        if (text != one.first && text != other.first) {
+            value.fail(fmt::format(R"(is {}, expected "{}" or "{}")", quote(text), one.first,
+                                   other.first));
         }
-        threads[k] = text == "right" ? Thread::right : Thread::left;
+        values.push_back(text == one.first ? one.second : other.second);
     }
-    return threads;
-}
-
-std::vector<EdgeKind> read_kinds(const std::optional<JsonValue>& list) {
-    std::vector<EdgeKind> kinds(list ? list->array_size("an array of cable and strut") : 0);
-    for (size_t e = 0; e < kinds.size(); ++e) {
-        const JsonValue value = list->at(e);
-        const std::string& text = value.text();
-        if (text != "cable" && text != "strut") {
-            value.fail(fmt::format(R"(is {}, expected "cable" or "strut")", quote(text)));
-        }
-        kinds[e] = text == "strut" ? EdgeKind::strut : EdgeKind::cable;
-    }
-    return kinds;
+    return values;
 }
 
 /// A number or null for each edge, or one number for all struts.
@@ -342,9 +337,11 @@ CableNetData read_data(const JsonValue& root) {
     data.expansion = read_rates(root.find("expansion"), data.edges.size());
     data.breaking_load = read_rates(root.find("breaking_load"), data.edges.size());
     data.bending_stiffness = read_rates(root.find("bending_stiffness"), data.edges.size());
-    data.thread = read_threads(root.find("thread"));
+    data.thread =
+        read_words<Thread>(root.find("thread"), {"right", Thread::right}, {"left", Thread::left});
     data.runs = read_runs(root.find("runs"));
-    data.kind = read_kinds(root.find("kind"));
+    data.kind = read_words<EdgeKind>(root.find("kind"), {"cable", EdgeKind::cable},
+                                     {"strut", EdgeKind::strut});
     data.buckling_load = read_buckling_loads(root.find("buckling_load"), data);
     read_elastic_supports(root, data);
     return data;

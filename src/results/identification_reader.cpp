@@ -40,6 +40,9 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
     }
     require_at_most(value, "tension_lower", "tension_upper");
     require_tensions(value, {"tension", "tension_lower", "tension_upper"}, net, edge.edge);
+    if (edge.status == EdgeStatus::slack && net.is_strut(edge.edge)) {
+        member(value, "status").fail("is slack, but the edge is a strut");
+    }
     return edge;
 }
 

@@ -96,7 +96,7 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
                         "because {}",
                         plan.no_draws_because));
     }
-    if (plan.draws == 0 && record.turns->limits.has_forces()) {
+    if (plan.draws == 0 && record.turns->limits.has_forces(record.built->net)) {
         warnings.push_back(
             fmt::format("LIMITS CANNOT BE PROMISED: tensions are not reported, because {}",
                         plan.no_draws_because));

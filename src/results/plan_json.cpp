@@ -289,7 +289,7 @@ Description<PlanRecord> describe(const PlanRecord* /*type*/) {
         .key("touched", TAUT_VALUE(it.turns->plan.strokes.size()), Rule::count(),
              "Edges that are turned.")
         .key("largest_stroke", TAUT_VALUE(it.turns->plan.largest_stroke()), size, "[m].")
-        .newer("limits_given", TAUT_VALUE(it.turns->limits.has_forces()),
+        .newer("limits_given", TAUT_VALUE(it.turns->limits.has_forces(it.built->net)),
                "Whether there are limits of forces other than no slack edge.")
         .key("feasible", TAUT_VALUE(it.turns->plan.is_feasible),
              "Whether all limits are kept with the required probability.")

@@ -23,6 +23,9 @@ PlanResult::Tension read_tension(const JsonValue& value, const CableNet& net, in
     }
     require_tensions(value, {"as_built", "planned", "lower", "upper", "limit_lower", "limit_upper"},
                      net, edge);
+    if (!tension.limit_lower && !net.is_strut(edge)) {
+        member(value, "limit_lower").fail("is null, expected a number: the edge is a cable");
+    }
     if (tension.lower.has_value() != tension.upper.has_value()) {
         value.fail("has one end of the interval of tension, expected both or none");
     }

@@ -39,8 +39,12 @@ void add_strain_warnings(const CableNet& net, std::vector<std::string>& warnings
             "of N, or is axial_stiffness not in N?",
             100.0 * mean));
     }
+    Eigen::ArrayXd sizes = strains;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        sizes(e) = net.is_strut(e) ? std::abs(strains(e)) : strains(e);
+    }
     Eigen::Index worst = 0;
-    if (strains.maxCoeff(&worst) > absurd_strain) {
+    if (sizes.maxCoeff(&worst) > absurd_strain) {
         warnings.push_back(
             fmt::format("edge {} has a strain of {:.3g} %, more than a steel cable bears: are "
                         "forces a thousand "

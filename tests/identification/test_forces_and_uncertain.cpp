@@ -344,6 +344,14 @@ TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
         EXPECT_NE(wider.trust.verdict(), Trust::Verdict::passed);
     }
     EXPECT_EQ(spread_ratio({}), 0.0);
+    // A single number of which the survey shows less than a twentieth says nothing.
+    const auto ratio_shown = [](double part) {
+        const std::vector<ParameterEstimate> one{
+            {.mean = 0.5, .std = std::sqrt(1.0 - part), .prior_std = 1.0}};
+        return spread_ratio(one);
+    };
+    EXPECT_EQ(ratio_shown(0.04), 0.0);
+    EXPECT_NEAR(ratio_shown(0.06), 0.5 / std::sqrt(0.06), 1e-9);
 }
 
 class ForceMeasurements : public testing::Test {

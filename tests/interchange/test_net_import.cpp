@@ -208,6 +208,22 @@ TEST(ImportNet, TakesEdgesInCompressionForStruts) {
     EXPECT_THAT(import(file).report.read, Contains("struts: by is_strut"));
 }
 
+TEST(ImportNet, TellsPressedStrutsFromSlackCablesAndRoundingErrors) {
+    json file = old_compas_mesh();
+    file["edgedata"]["(4, 0)"]["q"] = -1e-13;
+    EXPECT_FALSE(import(file).net.has_struts());
+    // By their lengths alone.
+    file = with_stored_lengths();
+    file["dea"].erase("q");
+    for (const auto& [key, edge] : file["edgedata"].items()) {
+        edge.erase("q");
+    }
+    file["edgedata"]["(4, 0)"]["l0"] = 1.6;
+    EXPECT_THAT(import(file).report.warnings, Contains(HasSubstr("1 edges are slack")));
+    file["edgedata"]["(4, 0)"]["is_strut"] = true;
+    EXPECT_THAT(import(file).report.warnings, testing::Not(Contains(HasSubstr("slack"))));
+}
+
 TEST(ImportNet, AsksForTheSignOfForcesWhereMostEdgesAreInCompression) {
     json file = old_compas_mesh();
     file["dea"]["q"] = -1.0;

@@ -89,8 +89,9 @@ struct TAUT_ADJUSTMENT_EXPORT Limits {
     std::vector<ReactionLimit> reactions;  ///< under the net's own loads, and under later ones
     std::vector<LoadCase> load_cases;      ///< each with its own limits of tensions
 
-    /// Whether there are limits other than strokes and no slack edge under the net's own loads.
-    [[nodiscard]] bool has_forces() const;
+    /// Whether there are limits other than strokes and no slack cable under the net's own loads.
+    /// @param net that the limits are of, not checked
+    [[nodiscard]] bool has_forces(const CableNet& net) const;
 };
 
 /// Strokes of at most `stroke` either way, and no edge slack.
