@@ -9,6 +9,7 @@
 
 #include "taut/abi.hpp"
 #include "taut/export/core.hpp"
+#include "taut/net/cable_net.hpp"
 
 namespace taut {
 
