@@ -83,6 +83,11 @@ void warn_of_laws(const ExportOptions& options, Exported& exported) {
             "this format has no piecewise linear tension laws: EA of these edges is their tension "
             "over strain in this form");
     }
+    if (exported.source.file.net.sags() && options.format != "net") {
+        exported.warnings.emplace_back(
+            "this format has no cables that sag: their tensions are more than EA times the strain "
+            "between their nodes");
+    }
 }
 
 Exported exported_net(const ExportOptions& options) {

@@ -152,6 +152,11 @@ void run(const FormOptions& options) {
         throw InputError(options.net, "",
                          "has struts: its energy is not convex, expected --solver newton");
     }
+    if (options.solver == "socp" && net.sags()) {
+        throw InputError(
+            options.net, "",
+            "has cables that sag, expected --solver newton: the cone program has none");
+    }
     const Found found = options.solver == "socp" ? find_by_cone_program(options, net)
                                                  : find_by_newton(options, net);
     std::vector<std::pair<std::filesystem::path, std::string>> files;

@@ -157,6 +157,8 @@ std::string in_unit(UncertainParameter::Kind kind, double value) {
         case UncertainParameter::Kind::test_loads:
         case UncertainParameter::Kind::support_stiffness:
             return scaled(100.0, 2) + " %";
+        case UncertainParameter::Kind::creep:
+            return scaled(100.0, 4) + " %";
         case UncertainParameter::Kind::temperature:
             return scaled(1.0, 1) + " K";
         case UncertainParameter::Kind::supports:

@@ -14,11 +14,15 @@ namespace taut::app {
 std::string counts_text(const CableNet& net) {
     const size_t elastic = net.elastic_supports().size();
     const auto struts = std::ranges::count(net.data().kind, EdgeKind::strut);
+    const auto sagging = (net.data().sag_weight.array() > 0.0).count();
+    const std::string kinds =
+        (struts > 0 ? fmt::format(" ({} struts)", struts) : "") +
+        (sagging > 0 ? fmt::format(" ({} with sag)", sagging) : std::string());
     return fmt::format(
         "net {}: {} free nodes{}, {} {}supports, {} interior and {} adjustable edges{}", net.name(),
         net.free_node_count(), elastic > 0 ? fmt::format(" ({} elastic supports)", elastic) : "",
         net.supports().size(), elastic > 0 ? "rigid " : "", net.interior_edge_count(),
-        net.adjustable_edges().size(), struts > 0 ? fmt::format(" ({} struts)", struts) : "");
+        net.adjustable_edges().size(), kinds);
 }
 
 nlohmann::ordered_json counts_json(const CableNet& net) {

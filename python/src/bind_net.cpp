@@ -61,6 +61,23 @@ void add_elastic_supports(const std::map<int, ArrayLike>& stiffnesses,
     }
 }
 
+/// None, "mass", one number for all cables without a tension law, or one for each edge.
+void set_sag_weights(const std::variant<std::monostate, std::string, ArrayLike>& given,
+                     CableNetData& data) {
+    if (const auto* const word = std::get_if<std::string>(&given)) {
+        if (*word != "mass") {
+            throw nb::value_error("sag_weight: expected 'mass', one number, or one for each edge");
+        }
+        CableNetData checked = data;
+        data.sag_weight = sag_weights_by_mass(CableNet(std::move(checked)).data());
+    } else if (const auto* const values = std::get_if<ArrayLike>(&given)) {
+        data.sag_weight = vector_or_number(*values, "sag_weight", std::ssize(data.edges));
+        if (numbers(*values, "sag_weight").ndim() == 0 && data.sag_weight.size() > 0) {
+            data.sag_weight = equal_sag_weights(data, data.sag_weight(0));
+        }
+    }
+}
+
 void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const ArrayLike& edges, const ArrayLike& axial_stiffness,
               const ArrayLike& unstressed_lengths, const std::optional<ArrayLike>& adjustable,
@@ -74,7 +91,8 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::optional<ArrayLike>& bending_stiffness,
               const std::map<int, ArrayLike>& support_stiffness,
               const std::variant<std::string, std::map<int, ArrayLike>>& support_place,
-              const Names& kind, const std::optional<ArrayLike>& buckling_load) {
+              const Names& kind, const std::optional<ArrayLike>& buckling_load,
+              const std::variant<std::monostate, std::string, ArrayLike>& sag_weight) {
     CableNetData data;
     data.name = name;
     data.nodes = points_argument(nodes, "nodes", -1);
@@ -119,6 +137,7 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
             }
         }
     }
+    set_sag_weights(sag_weight, data);
     for (const std::string& one : thread) {
         data.thread.push_back(thread_named(one));
     }
@@ -209,7 +228,7 @@ void bind_net(nb::module_& module) {
             nb::arg("bending_stiffness") = nb::none(),
             nb::arg("support_stiffness") = std::map<int, ArrayLike>(),
             nb::arg("support_place") = std::map<int, ArrayLike>(), nb::arg("kind") = Names(),
-            nb::arg("buckling_load") = nb::none(),
+            nb::arg("buckling_load") = nb::none(), nb::arg("sag_weight") = nb::none(),
             R"(Checks every rule of a net.
 
 Args:
@@ -240,6 +259,8 @@ Args:
     kind: 'cable' or 'strut' of each edge, by default all cables. A strut carries compression, too.
     buckling_load: of struts (m,), infinite where not known and at cables, or one number for all
         struts [N].
+    sag_weight: weight of a metre across the chord, which makes a cable sag between its nodes (m,),
+        one number for all cables, or 'mass': of `mass` [N/m]. It adds no load.
 
 Raises:
     NetError: naming the place, the value and the rule.
@@ -296,6 +317,9 @@ Raises:
     net.def_prop_ro(
         "buckling_load", [](const CableNet& self) { return array_of(self.data().buckling_load); },
         "Of struts, infinite where not known (m,), or empty [N].");
+    net.def_prop_ro(
+        "sag_weight", [](const CableNet& self) { return array_of(self.data().sag_weight); },
+        "Weight of a metre across the chord, which makes a cable sag (m,), or empty [N/m].");
     net.def_prop_ro("free_nodes", view<&CableNet::free_nodes>(), "Free nodes, ascending.");
     net.def_prop_ro("interior_edges", view<&CableNet::interior_edges>(),
                     "Edges of uncertain length, ascending.");

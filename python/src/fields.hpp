@@ -47,7 +47,7 @@ TAUT_FIELDS(Equilibrium, form, status, iterations, out_of_balance, mean_tension,
 TAUT_FIELDS(DataSet, net_fingerprint, prior, seed, uncertain, nominal_form, form_deviations,
             length_deviations, statuses, slack_counts)
 TAUT_FIELDS(SamplePart, first, samples)
-TAUT_FIELDS(TensionLaw, name, strain, tension)
+TAUT_FIELDS(TensionLaw, name, strain, tension, sag)
 
 // survey
 TAUT_FIELDS(SurveyPoint, id, position, line, noise_std, noise_correlations, label, code)

@@ -49,6 +49,8 @@ CommonParameters::CommonParameters(const CableNet& net,
                 m_stiffness(edge, k) = parameter.std;
             } else if (parameter.kind == UncertainParameter::Kind::temperature) {
                 m_thermal(edge, k) = parameter.std * net.data().expansion(edge);
+            } else if (parameter.kind == UncertainParameter::Kind::creep) {
+                m_thermal(edge, k) = parameter.std;
             }
         }
     }

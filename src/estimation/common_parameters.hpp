@@ -11,11 +11,12 @@
 
 namespace taut {
 
-/// Whether a parameter is one number for many edges: of stiffness, temperature, loads or force
-/// measurements.
+/// Whether a parameter is one number for many edges: of stiffness, temperature, creep, loads or
+/// force measurements.
 [[nodiscard]] inline bool is_common(const UncertainParameter& parameter) {
     return parameter.kind == UncertainParameter::Kind::stiffness ||
            parameter.kind == UncertainParameter::Kind::temperature ||
+           parameter.kind == UncertainParameter::Kind::creep ||
            parameter.kind == UncertainParameter::Kind::loads ||
            parameter.kind == UncertainParameter::Kind::forces ||
            parameter.kind == UncertainParameter::Kind::mass ||

@@ -31,7 +31,8 @@ double stiffness_as_length(const StaticsModel& model, int edge, const Iterate& i
     const CableNet& net = model.net();
     const EdgeRates e = model.rates(edge, iterate);
     const double least = 1e-6 * net.axial_stiffness()(edge) / net.unstressed_lengths()(edge);
-    const double tension = net.is_strut(edge) ? std::abs(e.tension) : std::max(0.0, e.tension);
+    const double tension =
+        net.is_strut(edge) ? std::abs(e.by_stiffness) : std::max(0.0, e.by_stiffness);
     const double length =
         model.own_stiffness_stds()(edge) * tension / std::max(std::abs(e.by_length), least);
     return length * length;
@@ -94,7 +95,7 @@ LawBlur blur_found(const StaticsModel& model, const Covariance& covariance, cons
                 std::min(stiffness_as_length(model, e, fitted), most_variance * widest_prior);
         }
         const TensionLaw* law = model.net().tension_law(e);
-        if (law == nullptr || model.slack[e]) {
+        if (law == nullptr || law->sags() || model.slack[e]) {
             continue;
         }
         const double unstressed = model.unstressed_length(e, fitted);

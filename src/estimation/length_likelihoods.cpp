@@ -35,7 +35,7 @@ std::vector<LengthLikelihood> length_likelihoods(const PriorKnowledge& knowledge
                      : LengthLikelihood();
         likelihood.std = std::sqrt(likelihood.std * likelihood.std + prior_variances(i));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
-        if (!can_be_slack[edge] || net.is_strut(edge)) {
+        if (!can_be_slack[edge] || !net.can_be_slack(edge)) {
             likelihood.extension = std::numeric_limits<double>::infinity();
         } else if (model.slack[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();

@@ -310,8 +310,8 @@ std::optional<Perturbation::Fit> Perturbation::refitted(const Observations& obse
 }
 
 /// Separates the drawn deviations into blur, (own-stiffness) and (blurred-law), and the edges' own
-/// lengths. An edge with a tension law gets the length with which it carries its tension in the
-/// draw; a slack edge one of the prior longer than the form spans.
+/// lengths. An edge with a tension law or a stiffness of its own gets the length with which it
+/// carries its tension in the draw; a slack edge one of the prior longer than the form spans.
 /// @param tensions of all edges in the draw (m) [N]
 /// @param prior_mean of the length deviations (m_I) [m]
 /// @param blur variances of the additional length deviations (m_I) [m2]
@@ -339,12 +339,11 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
                                   std::sqrt(of_stiffness(i));
             deviation -= length;
         }
-        const double nominal = m_net.unstressed_lengths()(edge);
-        if (const TensionLaw* of_edge = m_net.tension_law(edge);
-            of_edge != nullptr && tensions(edge) > 0.0) {
+        const bool has_bent_law = !m_net.is_linear() && m_net.data().tension_law[edge] >= 0;
+        if (has_bent_law ? tensions(edge) > 0.0 : own_stiffness(edge) != 0.0 && !slack[edge]) {
             deviation = length_of_tension(edge, lengths(edge), tensions(edge), own_stiffness(edge),
                                           drawn.common) -
-                        nominal;
+                        m_net.unstressed_lengths()(edge);
         }
         const double bound = prior.kind == LengthPrior::Kind::uniform
                                  ? prior.scale
@@ -366,17 +365,20 @@ std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
     std::vector<bool> slack(m_net.edge_count(), false);
     for (int i = 0; i < deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
-        slack[edge] = !m_net.is_strut(edge) && deviations(i) > spans(edge);
+        slack[edge] = m_net.can_be_slack(edge) && deviations(i) > spans(edge);
     }
     return m_knowledge.as_seen(std::move(slack));
 }
 
-/// Unstressed length at which an edge with a tension law carries this tension at this length.
+/// Unstressed length at which an edge with this stiffness of its own carries this tension at this
+/// length.
 double Perturbation::length_of_tension(int edge, double length, double tension,
                                        double own_stiffness, const Eigen::VectorXd& common) const {
     const CommonParameters& uncertain = m_model.common;
     const double stiffness = uncertain.stiffness_factor(edge, common) * std::exp(own_stiffness);
-    const double strain = m_net.tension_law(edge)->strain_at(tension / stiffness);
+    const TensionLaw* law = m_net.tension_law(edge);
+    const double strain = law == nullptr ? tension / (stiffness * m_net.axial_stiffness()(edge))
+                                         : law->stiffened(stiffness).strain_at(tension);
     return length / (1.0 + strain) / (1.0 + uncertain.thermal_strain(edge, common));
 }
 

@@ -51,7 +51,7 @@ std::vector<bool> slack_by_lengths(const CableNet& net, const Eigen::VectorXd& l
     const Eigen::VectorXd shortest = shortest_taut(net, priors);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        slack[e] = !net.is_strut(e) && lengths(e) < shortest(e);  // (slack-form)
+        slack[e] = net.can_be_slack(e) && lengths(e) < shortest(e);  // (slack-form)
     }
     return slack;
 }
@@ -65,7 +65,7 @@ std::vector<bool> slack_by_survey(const CableNet& net, const Observations& obser
     for (int e = 0; e < net.edge_count(); ++e) {
         const double thermal = thermal_stds.size() > 0 ? thermal_stds(e) * measured(e) : 0.0;
         const double std = std::hypot(measured_std(net, observations, e), thermal);
-        slack[e] = !net.is_strut(e) && measured(e) + reach * std < shortest(e);
+        slack[e] = net.can_be_slack(e) && measured(e) + reach * std < shortest(e);
     }
     return slack;
 }

@@ -81,7 +81,7 @@ void StaticsModel::fix_tension_laws(const Iterate& iterate) {
     std::vector<FixedLaw> fixed(m_net->edge_count());
     const Eigen::VectorXd spans = edge_lengths(*m_net, iterate.form);
     for (int e = 0; e < m_net->edge_count(); ++e) {
-        if (m_net->tension_law(e) != nullptr) {
+        if (const TensionLaw* law = m_net->tension_law(e); law != nullptr && !law->sags()) {
             const double unstressed = unstressed_length(e, iterate);
             const double strain = stretch(spans(e) - unstressed, corner_width).value / unstressed;
             fixed[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
@@ -96,20 +96,28 @@ EdgeRates StaticsModel::rates(int edge, const Iterate& iterate) const {
     const double stiffness = common.stiffness_factor(edge, iterate.common);
     const Eigen::Vector3d vector = iterate.form.col(s) - iterate.form.col(t);
     const double length = vector.norm();
-    const Stretch e = stretch(length - unstressed, m_net->is_strut(edge) ? 0.0 : corner_width);
+    const Stretch e = stretch(length - unstressed, m_net->can_be_slack(edge) ? corner_width : 0.0);
     double axial = stiffness * m_net->axial_stiffness()(edge) / unstressed;
     double tension = axial * e.value;
-    if (m_net->tension_law(edge) != nullptr) {
-        const auto [at_strain, slope] = law_tangent(edge, e.value / unstressed);
-        axial = stiffness * slope / unstressed;
-        tension = stiffness * at_strain;
+    double by_stiffness = tension;
+    if (const TensionLaw* law = m_net->tension_law(edge); law != nullptr && law->sags()) {
+        const auto tangent = law->stiffened(stiffness).at(e.value / unstressed);
+        by_stiffness = tangent.tension * tangent.slope / (axial * unstressed);  // (sagging-law)
+        axial = tangent.slope / unstressed;
+        tension = tangent.tension;
+    } else if (law != nullptr) {
+        const auto tangent = law_tangent(edge, e.value / unstressed);
+        axial = stiffness * tangent.slope / unstressed;
+        tension = stiffness * tangent.tension;
+        by_stiffness = tension;
     }
     const double heated = 1.0 + common.thermal_strain(edge, iterate.common);
     return {.direction = vector / length,
             .tension = tension,
             .across = tension / length,
             .axial = axial * e.rate,
-            .by_length = -heated * axial * (e.value / unstressed + e.rate)};
+            .by_length = -heated * axial * (e.value / unstressed + e.rate),
+            .by_stiffness = by_stiffness};
 }
 
 EdgeVariation StaticsModel::common_variation(int edge, int k, const Iterate& iterate) const {

@@ -47,6 +47,7 @@ struct EdgeRates {
     double across;              ///< T / l [N/m]
     double axial;               ///< dT/dl [N/m]
     double by_length;           ///< dT/dd [N/m]
+    double by_stiffness;        ///< dT/d log EA: T, less of a cable that sags [N]
 
     /// h of its first node, -h of its second [N].
     [[nodiscard]] Eigen::Vector3d force() const { return tension * direction; }
@@ -59,7 +60,7 @@ struct EdgeRates {
     [[nodiscard]] Eigen::Vector3d length_rate() const { return by_length * direction; }
     /// Change of the tension [N], and of the force at its first node [N].
     [[nodiscard]] double tension_by(const EdgeVariation& variation) const {
-        return tension * variation.stiffness + axial * direction.dot(variation.motion) +
+        return by_stiffness * variation.stiffness + axial * direction.dot(variation.motion) +
                by_length * variation.length;
     }
     [[nodiscard]] Eigen::Vector3d force_by(const EdgeVariation& variation) const {

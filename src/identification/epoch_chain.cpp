@@ -176,6 +176,10 @@ EpochStep EpochChain::step_from(size_t k) const {
         if (parameter.kind == UncertainParameter::Kind::temperature) {  // another day
             step.factor(place) = 0.0;
             step.added(place) = 1.0;
+        } else if (parameter.kind == UncertainParameter::Kind::creep) {  // (creep)
+            const auto steps = static_cast<double>(k);
+            step.factor(place) = std::sqrt(steps / (steps + 1.0));
+            step.added(place) = 1.0 / (steps + 1.0);
         }
         place += is_common(parameter) ? 1 : 0;
     }
@@ -201,6 +205,12 @@ Given EpochChain::given(int k) const {
     const State& state = m_states[k];
     Given result(m_prior);
     result.uncertain = m_uncertain;
+    for (UncertainParameter& parameter : result.uncertain) {
+        if (parameter.kind == UncertainParameter::Kind::creep) {  // (creep); none at the first
+            constexpr double hardly_any = 1e-6;
+            parameter.std *= std::max(hardly_any, std::sqrt(static_cast<double>(k)));
+        }
+    }
     result.test_loads = *state.loads;
     if (k == m_reported) {
         result.forces = m_options.forces;

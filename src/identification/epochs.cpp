@@ -425,6 +425,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     alone.method = IdentificationMethod::map;
     alone.draws = 0;
     alone.forces = {};
+    std::erase_if(alone.uncertain,
+                  [](const UncertainParameter& one) { return one.kind == Kind::creep; });
     // The first survey alone gives the prior and the noise where they are not given.
     const Identification first =
         with_epoch(0, [&] { return identify(net, epochs.front().survey, alone, progress); });

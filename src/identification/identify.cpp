@@ -452,13 +452,20 @@ void check_model(const CableNet& net, const LengthModel& model,
     }
 }
 
+void check_has_no_creep(const std::vector<UncertainParameter>& uncertain) {
+    const auto creep =
+        std::ranges::find(uncertain, UncertainParameter::Kind::creep, &UncertainParameter::kind);
+    if (creep != uncertain.end()) {
+        throw std::invalid_argument(
+            fmt::format("the uncertain parameter '{}' is what edges gain from one survey to the "
+                        "next, expected a second survey",
+                        creep->to_string()));
+    }
+}
+
 KnownForces measured_by(const Forces& forces) {
-    const auto any = [&](bool by_mass) {
-        return std::ranges::any_of(forces.measurements, [by_mass](const ForceMeasurement& one) {
-            return one.is_by_mass() == by_mass;
-        });
-    };
-    return {.by_cells = any(false), .by_mass = any(true)};
+    const auto by_cell = [](const ForceMeasurement& one) { return !one.is_by_mass(); };
+    return {.by_cells = std::ranges::any_of(forces.measurements, by_cell)};
 }
 
 Identification identify(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
@@ -472,6 +479,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     check_survey_for(net, survey, method);
     check_forces(net, options.forces);
     check_uncertain_parameters(net, options.uncertain);
+    check_has_no_creep(options.uncertain);
     check_covariance_of(net, options.covariance_of);
     check_for_method(options, method);
     if (options.model != nullptr) {

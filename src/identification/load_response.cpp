@@ -132,9 +132,9 @@ Eigen::MatrixXd own_stiffness_forces(const StaticsModel& model, const StaticsMod
             continue;
         }
         const EdgeRates rates = loaded.rates(e, under_load);
-        const double without = model.slack[e] ? 0.0 : model.rates(e, iterate).tension;
+        const double without = model.slack[e] ? 0.0 : model.rates(e, iterate).by_stiffness;
         const Eigen::Vector3d force =
-            model.own_stiffness_stds()(e) * (rates.tension - without) * rates.direction;
+            model.own_stiffness_stds()(e) * (rates.by_stiffness - without) * rates.direction;
         const auto [s, t] = net.edges()[e];
         result.col(e).segment<3>(Eigen::Index{3} * s) = force;
         result.col(e).segment<3>(Eigen::Index{3} * t) = -force;

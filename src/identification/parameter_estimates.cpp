@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -68,6 +69,7 @@ public:
             switch (parameter.kind) {
                 case Kind::stiffness:
                 case Kind::temperature:
+                case Kind::creep:
                 case Kind::loads:
                 case Kind::forces:
                 case Kind::mass:
@@ -218,6 +220,20 @@ private:
     std::vector<ParameterEstimate> m_result;
 };
 
+/// Sums over numbers with one given standard deviation.
+struct Variances {
+    double given = 0.0;     ///< before the survey
+    double expected = 0.0;  ///< of the means: what the survey takes away
+};
+Variances variances_of(std::span<const ParameterEstimate> estimates) {
+    Variances sums;
+    for (const ParameterEstimate& one : estimates) {
+        sums.given += one.prior_std * one.prior_std;
+        sums.expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
+    }
+    return sums;
+}
+
 }  // namespace
 
 bool ParameterEstimate::is_observed() const {
@@ -226,13 +242,10 @@ bool ParameterEstimate::is_observed() const {
 
 double spread_ratio(std::span<const ParameterEstimate> estimates) {
     double found = 0.0;
-    double expected = 0.0;
-    double given = 0.0;
     for (const ParameterEstimate& one : estimates) {
         found += one.mean * one.mean;
-        given += one.prior_std * one.prior_std;
-        expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
     }
+    const auto [given, expected] = variances_of(estimates);
     // Where the survey shows less than this, non-linearity moves the estimates as much. A single
     // number is moved as far by the prior of the lengths, which is estimated with it.
     const double least_shown = estimates.size() == 1 ? 0.05 : 0.02;
@@ -240,10 +253,12 @@ double spread_ratio(std::span<const ParameterEstimate> estimates) {
 }
 
 bool ParameterSpread::is_contradicted() const {
-    // Many correlated numbers are seldom half as wide again by chance, a single one seldom three
-    // times.
-    constexpr int many = 20;
-    return ratio > (count >= many ? 1.5 : 3.0);
+    constexpr double false_alarm_rate = 1e-3;
+    constexpr double least = 1.5;
+    const double numbers = std::max(1.0, shown);
+    const boost::math::chi_squared_distribution<> by_chance(numbers);
+    const double highest = boost::math::quantile(complement(by_chance, false_alarm_rate)) / numbers;
+    return ratio > std::max(least, std::sqrt(highest));
 }
 
 std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& estimates) {
@@ -252,9 +267,10 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
         const auto last = std::find_if(first, estimates.end(), [&](const ParameterEstimate& one) {
             return one.parameter != first->parameter;
         });
+        const auto [given, expected] = variances_of({first, last});
         result.push_back({.parameter = first->parameter,
-                          .count = static_cast<int>(last - first),
                           .ratio = spread_ratio({first, last}),
+                          .shown = static_cast<double>(last - first) * expected / given,
                           .widening = first->prior_std / first->parameter.std});
         first = last;
     }
@@ -310,6 +326,9 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 result.thermal(edges) += mean * net.data().expansion(edges);
                 break;
             }
+            case Kind::creep:
+                result.thermal(edges_of(net, estimate.parameter)).array() += mean;
+                break;
             case Kind::supports:
                 result.supports(estimate.axis, estimate.node) = mean;
                 break;

@@ -40,10 +40,10 @@ DrawnSummary summary_of(const PosteriorDraws& draws, const CableNet& net,
         summary.tensions.push_back(
             {.edge = e,
              .tension = estimate_of(tension),
-             .slack_probability = net.is_strut(e)
-                                      ? 0.0
-                                      : static_cast<double>((tension.array() <= 0.0).count()) /
-                                            static_cast<double>(draws.count())});
+             .slack_probability = net.can_be_slack(e)
+                                      ? static_cast<double>((tension.array() <= 0.0).count()) /
+                                            static_cast<double>(draws.count())
+                                      : 0.0});
     }
     const Eigen::VectorXd means = draws.tensions.transpose() * mean_weights(net);
     summary.mean_tension = estimate_of(means);

@@ -75,10 +75,10 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
         LengthLikelihood likelihood = without_prior(0.0, model.prior.std(), estimates.mean(i, 0),
                                                     std::sqrt(variance + uncertainty.of_length(i)));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
-        likelihood.extension = net.is_strut(edge)
-                                   ? std::numeric_limits<double>::infinity()
-                                   : (likelihood.slack_from - estimates.mean(i, 0)) /
-                                         std::sqrt(variance + uncertainty.of_extension(i));
+        likelihood.extension = net.can_be_slack(edge)
+                                   ? (likelihood.slack_from - estimates.mean(i, 0)) /
+                                         std::sqrt(variance + uncertainty.of_extension(i))
+                                   : std::numeric_limits<double>::infinity();
         result.push_back(likelihood);
     }
     return result;

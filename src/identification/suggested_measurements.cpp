@@ -405,14 +405,10 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
                         "lengths: this one has {}",
                         most_unknowns, unknowns));
     }
-    const Eigen::VectorXd& mass = net.data().mass;
     const PlannedFit planned(
         net, form, survey, prior, forces,
         options.assume_site
-            ? with_site_assumptions(net, uncertain,
-                                    {.by_cells = true,
-                                     .by_mass = mass.size() > 0 && mass.maxCoeff() > 0.0,
-                                     .by_loads = true})
+            ? with_site_assumptions(net, uncertain, {.by_cells = true, .by_loads = true})
             : uncertain);
     Candidates candidates(planned, survey, options);
     if (!(mean_weights(net).dot(planned.tensions()) > 0.0)) {

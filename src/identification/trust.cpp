@@ -14,6 +14,7 @@
 
 #include "identification/net_balance.hpp"
 #include "identification/parameter_estimates.hpp"
+#include "identification/sag_check.hpp"
 #include "net/rounded_length.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/units.hpp"
@@ -159,7 +160,7 @@ OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Ident
     }
     for (const ParameterSpread& spread : spreads_of(result.uncertain)) {
         if (spread.is_contradicted()) {
-            take(gain_of_scale(spread.ratio, spread.count), spread.parameter.to_string());
+            take(gain_of_scale(spread.ratio, spread.shown), spread.parameter.to_string());
         }
     }
     return cause;
@@ -200,6 +201,9 @@ public:
             test_uncertain();
         }
         test_draws();
+        if (auto finding = sag_finding(m_net, m_result)) {
+            add(*std::move(finding));
+        }
         if (auto finding = net_balance_finding(m_net, m_result, m_trust.verdict())) {
             // The first to look at: what else contradicts the survey may follow from it.
             m_trust.findings.insert(m_trust.findings.begin(), *std::move(finding));
@@ -800,6 +804,7 @@ constexpr std::pair<FindingKind, std::string_view> kind_names[] = {
     {FindingKind::epoch, "epoch"},
     {FindingKind::repeated_survey, "repeated_survey"},
     {FindingKind::net_balance, "net_balance"},
+    {FindingKind::sag, "sag"},
     {FindingKind::other, "other"},
 };
 

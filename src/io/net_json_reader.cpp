@@ -163,6 +163,33 @@ Eigen::VectorXd read_buckling_loads(const std::optional<JsonValue>& value,
     return loads;
 }
 
+/// A number for each edge, one for all cables without a tension law, or "mass".
+Eigen::VectorXd read_sag_weights(const std::optional<JsonValue>& value, const CableNetData& data) {
+    if (!value) {
+        return {};
+    }
+    if (value->json().is_string()) {
+        if (value->text() != "mass") {
+            value->fail(fmt::format(R"(is {}, expected "mass", one number, or an array of numbers)",
+                                    quote(value->text())));
+        }
+        if (data.mass.size() == 0) {
+            value->fail(R"(is "mass", but the net has no "mass")");
+        }
+        const auto count = static_cast<int>(data.nodes.cols());
+        const auto is_node = [count](int node) { return node >= 0 && node < count; };
+        const bool has_sizes =  // else the net is refused for these
+            data.mass.size() == std::ssize(data.edges) &&
+            (data.kind.empty() || data.kind.size() == data.edges.size()) &&
+            (data.tension_law.empty() || data.tension_law.size() == data.edges.size()) &&
+            std::ranges::all_of(
+                data.edges, [&](const Edge& edge) { return is_node(edge[0]) && is_node(edge[1]); });
+        return has_sizes ? sag_weights_by_mass(data) : Eigen::VectorXd();
+    }
+    return value->json().is_number() ? equal_sag_weights(data, value->number())
+                                     : read_numbers_or_one(*value, data.edges.size());
+}
+
 std::map<std::string, std::vector<int>> read_groups(const std::optional<JsonValue>& object) {
     std::map<std::string, std::vector<int>> groups;
     if (object) {
@@ -343,6 +370,7 @@ CableNetData read_data(const JsonValue& root) {
     data.kind = read_words<EdgeKind>(root.find("kind"), {"cable", EdgeKind::cable},
                                      {"strut", EdgeKind::strut});
     data.buckling_load = read_buckling_loads(root.find("buckling_load"), data);
+    data.sag_weight = read_sag_weights(root.find("sag_weight"), data);
     read_elastic_supports(root, data);
     return data;
 }

@@ -205,7 +205,8 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
     for (const auto& [key, rates] :
          {std::pair{"mass", &data.mass}, std::pair{"expansion", &data.expansion},
           std::pair{"breaking_load", &data.breaking_load},
-          std::pair{"bending_stiffness", &data.bending_stiffness}}) {
+          std::pair{"bending_stiffness", &data.bending_stiffness},
+          std::pair{"sag_weight", &data.sag_weight}}) {
         if (rates->size() > 0) {
             add(key, one_or_all(*rates));
         }

@@ -12,7 +12,7 @@ inline constexpr std::string_view net_format = "taut-net";
 inline constexpr int net_version = 1;
 
 /// The keys that the native net format gives a meaning.
-inline constexpr std::array<std::string_view, 25> net_keys{"format",
+inline constexpr std::array<std::string_view, 26> net_keys{"format",
                                                            "version",
                                                            "name",
                                                            "nodes",
@@ -36,7 +36,8 @@ inline constexpr std::array<std::string_view, 25> net_keys{"format",
                                                            "support_stiffness",
                                                            "support_place",
                                                            "kind",
-                                                           "buckling_load"};
+                                                           "buckling_load",
+                                                           "sag_weight"};
 
 constexpr bool is_net_key(std::string_view key) {
     return std::ranges::find(net_keys, key) != net_keys.end();

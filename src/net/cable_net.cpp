@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -70,6 +71,25 @@ Points with_self_weight(const CableNetData& data) {
     return loads;
 }
 
+/// The tension law of each cable that sags; none if no cable does. One lighter than a part 1e-8 of
+/// its stiffness is straight.
+std::vector<TensionLaw> sag_laws(const CableNetData& data) {
+    constexpr double least_strain = 1e-8;
+    std::vector<TensionLaw> laws;
+    for (Eigen::Index e = 0; e < data.sag_weight.size(); ++e) {
+        const double sag = data.sag_weight(e) * data.unstressed_lengths(e) / std::sqrt(24.0);
+        const double EA = data.axial_stiffness(e);
+        if (sag > least_strain * EA) {
+            laws.resize(data.edges.size());
+            laws[static_cast<size_t>(e)] = {.name = "",
+                                            .strain = Eigen::Vector2d(0.0, 1.0),
+                                            .tension = Eigen::Vector2d(0.0, EA),
+                                            .sag = sag};
+        }
+    }
+    return laws;
+}
+
 /// Indices of the names, sorted by name.
 std::vector<int> sorted_by_name(const std::vector<std::string>& ids) {
     std::vector<int> order(ids.size());
@@ -112,6 +132,30 @@ std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
     return result;
 }
 
+Eigen::VectorXd sag_weights_by_mass(const CableNetData& data) {
+    if (data.mass.size() != std::ssize(data.edges)) {
+        throw std::invalid_argument("mass: expected that of every edge, from which cables sag");
+    }
+    Eigen::VectorXd weights = equal_sag_weights(data, gravity).cwiseProduct(data.mass);
+    for (size_t e = 0; e < data.edges.size(); ++e) {
+        const auto [s, t] = data.edges[e];
+        const Eigen::Vector3d chord = (data.nodes.col(s) - data.nodes.col(t)).normalized();
+        weights(static_cast<Eigen::Index>(e)) *= chord.head<2>().norm();
+    }
+    return weights;
+}
+
+Eigen::VectorXd equal_sag_weights(const CableNetData& data, double weight) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(std::ssize(data.edges), weight);
+    for (int e = 0; e < weights.size(); ++e) {
+        if ((e < std::ssize(data.kind) && data.kind[e] == EdgeKind::strut) ||
+            (e < std::ssize(data.tension_law) && data.tension_law[e] >= 0)) {
+            weights(e) = 0.0;
+        }
+    }
+    return weights;
+}
+
 CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     if (m_data.loads.cols() == 0) {
         m_data.loads = Points::Zero(3, m_data.nodes.cols());
@@ -127,6 +171,7 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
         support.stiffness = (0.5 * (support.stiffness + support.stiffness.transpose())).eval();
     }
     m_loads = with_self_weight(m_data);
+    m_sag_laws = sag_laws(m_data);
 
     m_free_index.assign(node_count(), 0);
     for (const int support : m_data.supports) {

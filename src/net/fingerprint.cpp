@@ -35,6 +35,9 @@ std::string compute_fingerprint(const CableNetData& data) {
     if (!data.kind.empty()) {
         hash.add_list(data.kind);
     }
+    if (data.sag_weight.size() > 0) {
+        hash.add_list(data.sag_weight);
+    }
     return hash.text();
 }
 

@@ -43,6 +43,23 @@ std::string problem_at(const TensionLaw& law, Eigen::Index k) {
     return "";
 }
 
+/// T of T^3 / EA - strain T^2 = S^2, (sagging-law). Newton's method from above on a function that
+/// is convex there: it comes down to the root, and ends where rounding errors stop it.
+double sagging_tension(double EA, double S, double strain) {
+    const double k = std::cbrt(S / EA * (S / EA));
+    double t = strain >= 0.0 ? strain + k : std::min(k, S / EA / std::sqrt(-strain));
+    constexpr int most_steps = 100;
+    for (int step = 0; step < most_steps; ++step) {
+        const double value = t * t * (t - strain) - k * k * k;
+        const double next = t - value / (t * (3.0 * t - 2.0 * strain));
+        if (!(next < t)) {
+            break;
+        }
+        t = next;
+    }
+    return EA * t;
+}
+
 }  // namespace
 
 std::string problem_of(const TensionLaw& law) {
@@ -63,6 +80,10 @@ std::string problem_of(const TensionLaw& law) {
         if (std::string problem = problem_at(law, k); !problem.empty()) {
             return problem;
         }
+    }
+    if (law.sag != 0.0 && (count != 2 || !(law.sag > 0.0) || !is_magnitude(law.sag))) {
+        return fmt::format("has a sag of {} N and {} points, expected a positive sag and two",
+                           law.sag, count);
     }
     if (law.tension(1) == 0.0) {
         return "is flat at its start, expected it to rise: an edge that is slack at first has a "
@@ -93,11 +114,19 @@ double TensionLaw::slope_of(Eigen::Index part) const {
 TensionLaw::Tangent TensionLaw::at(double strain_there) const {
     const Eigen::Index part = part_of(strain_there);
     const double slope = slope_of(part);
+    if (sags()) {
+        const double T = sagging_tension(slope, sag, strain_there);
+        const double c = std::pow(sag / T, 2) / T;  // S^2 / T^3
+        const double with_sag = 1.0 / (1.0 / slope + 2.0 * c);
+        return {.tension = T,
+                .slope = with_sag,
+                .curvature = 6.0 * c / T * with_sag * with_sag * with_sag};
+    }
     return {.tension = tension(part) + slope * (strain_there - strain(part)), .slope = slope};
 }
 
 TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std) const {
-    if (!(std > 0.0)) {
+    if (!(std > 0.0) || sags()) {
         return at(strain_there);
     }
     // The law is its first line plus, from each corner on, the change of slope times (x - corner)+.
@@ -118,13 +147,14 @@ TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std) const {
 }
 
 double TensionLaw::missed_by_blurred(double strain_there, double std) const {
-    const auto [mean, slope] = blurred(strain_there, std);
+    const Tangent blurred_there = blurred(strain_there, std);
     constexpr int quantiles = 40;  // equally probable ones
     double variance = 0.0;
     for (int i = 0; i < quantiles; ++i) {
         const double p = (i + 0.5) / quantiles;
         const double step = std::numbers::sqrt2 * boost::math::erf_inv(2.0 * p - 1.0) * std;
-        const double missed = at(strain_there + step).tension - mean - slope * step;
+        const double missed =
+            at(strain_there + step).tension - blurred_there.tension - blurred_there.slope * step;
         variance += missed * missed / quantiles;
     }
     return variance;
@@ -136,6 +166,12 @@ double TensionLaw::strain_at(double tension_there) const {
         ++part;
     }
     const double slope = slope_of(part);  // checks the sizes
+    if (sags()) {
+        constexpr double least = -0.5;
+        return tension_there > 0.0
+                   ? std::max(least, tension_there / slope - std::pow(sag / tension_there, 2))
+                   : least;
+    }
     return strain(part) + (tension_there - tension(part)) / slope;
 }
 
@@ -151,6 +187,12 @@ std::pair<double, double> TensionLaw::strains_at(double tension_there) const {
     return {strain_there, strain_there};
 }
 
+TensionLaw TensionLaw::stiffened(double factor) const {
+    TensionLaw result = *this;
+    result.tension *= factor;
+    return result;
+}
+
 double TensionLaw::steepest() const {
     double slope = 0.0;
     for (Eigen::Index part = 0; part + 1 < strain.size(); ++part) {
@@ -160,10 +202,23 @@ double TensionLaw::steepest() const {
 }
 
 double TensionLaw::energy_between(double a, double b) const {
+    if (sags()) {
+        // The integral of T d strain = (T / EA + 2 S^2 / T^2) dT, over the difference of strains.
+        const double A = at(a).tension;
+        const double B = at(b).tension;
+        const double S = sag * sag;
+        const double flexibility = 1.0 / slope_of(0);
+        const double of_energy = 0.5 * flexibility * (A + B) + 2.0 * S / (A * B);
+        const double of_strain = flexibility + S / (A * B) * (1.0 / A + 1.0 / B);
+        return (b - a) * of_energy / of_strain;
+    }
     return 0.5 * (at(a).tension + at(b).tension) * (b - a) - corner_energy(a, b);
 }
 
 double TensionLaw::corner_energy(double a, double b) const {
+    if (sags()) {
+        return 0.5 * (at(a).tension + at(b).tension) * (b - a) - energy_between(a, b);
+    }
     double energy = 0.0;
     const auto [low, high] = std::minmax(a, b);
     for (Eigen::Index corner = 1; corner + 1 < strain.size(); ++corner) {

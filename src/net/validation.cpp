@@ -333,6 +333,32 @@ void check_struts(const CableNetData& data) {
     }
 }
 
+void check_sags(const CableNetData& data) {
+    check_rates("sag_weight", data.sag_weight, data.edges.size(), 0.0);
+    for (int e = 0; e < data.sag_weight.size(); ++e) {
+        const double weight = data.sag_weight(e) * data.unstressed_lengths(e);
+        if (weight == 0.0) {
+            continue;
+        }
+        if (!data.kind.empty() && data.kind[e] == EdgeKind::strut) {
+            throw NetError("sag_weight", {e},
+                           "is that of a strut, expected 0: struts are straight");
+        }
+        if (!data.tension_law.empty() && data.tension_law[e] >= 0) {
+            throw NetError("sag_weight", {e},
+                           "is that of an edge with a tension law, expected 0: cables that sag "
+                           "are linear");
+        }
+        constexpr double most_strain = 0.1;
+        if (weight > most_strain * data.axial_stiffness(e)) {
+            throw NetError("sag_weight", {e},
+                           fmt::format("is {}: the cable weighs {:.4g} N, expected no more than a "
+                                       "tenth of its axial stiffness of {:.4g} N",
+                                       data.sag_weight(e), weight, data.axial_stiffness(e)));
+        }
+    }
+}
+
 }  // namespace
 
 void validate_tension_laws(const CableNetData& data) {
@@ -391,6 +417,7 @@ void validate(const CableNetData& data) {
         check_positive("breaking_load", data.breaking_load);
     }
     check_struts(data);
+    check_sags(data);
     if (!data.thread.empty()) {
         check_entry_count("thread", static_cast<Eigen::Index>(data.thread.size()),
                           static_cast<Eigen::Index>(data.adjustable.size()), "adjustable edge");

@@ -60,6 +60,7 @@ std::string_view unit_of(const UncertainParameter& parameter) {
         case UncertainParameter::Kind::mass:
         case UncertainParameter::Kind::test_loads:
         case UncertainParameter::Kind::support_stiffness:
+        case UncertainParameter::Kind::creep:
             break;
     }
     return "1";

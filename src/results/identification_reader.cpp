@@ -40,8 +40,10 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
     }
     require_at_most(value, "tension_lower", "tension_upper");
     require_tensions(value, {"tension", "tension_lower", "tension_upper"}, net, edge.edge);
-    if (edge.status == EdgeStatus::slack && net.is_strut(edge.edge)) {
-        member(value, "status").fail("is slack, but the edge is a strut");
+    if (edge.status == EdgeStatus::slack && !net.can_be_slack(edge.edge)) {
+        member(value, "status")
+            .fail(net.is_strut(edge.edge) ? "is slack, but the edge is a strut"
+                                          : "is slack, but the cable sags");
     }
     return edge;
 }

@@ -20,10 +20,9 @@ void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetD
     laws.reserve(data.tension_law.size());
     for (int e = 0; e < net.edge_count(); ++e) {
         if (data.tension_law[e] >= 0) {
-            TensionLaw law = data.tension_laws[data.tension_law[e]];
-            law.tension *= std::exp(stiffness(e));
-            data.tension_law[e] = static_cast<int>(laws.size());
-            laws.push_back(std::move(law));
+            laws.push_back(
+                data.tension_laws[data.tension_law[e]].stiffened(std::exp(stiffness(e))));
+            data.tension_law[e] = static_cast<int>(laws.size()) - 1;
         }
     }
     data.tension_laws = std::move(laws);
@@ -66,6 +65,9 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                     parameter.std * random.normal() * net.data().expansion(edges);
                 break;
             }
+            case UncertainParameter::Kind::creep:
+                result.thermal(edges_of(net, parameter)).array() += parameter.std * random.normal();
+                break;
             case UncertainParameter::Kind::supports:
                 for (const int node : net.all_supports()) {
                     for (double& coordinate : result.supports.col(node)) {

@@ -33,11 +33,14 @@ constexpr std::array parameter_names{Named{"stiffness", Kind::stiffness, true},
                                      Named{"forces", Kind::forces, false},
                                      Named{"mass", Kind::mass, false},
                                      Named{"test-loads", Kind::test_loads, false},
-                                     Named{"support-stiffness", Kind::support_stiffness, false}};
+                                     Named{"support-stiffness", Kind::support_stiffness, false},
+                                     Named{"creep", Kind::creep, true}};
+
+constexpr std::string_view with_groups = "stiffness, stiffness-each, temperature and creep";
 
 constexpr std::string_view parameter_examples =
     "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N, "
-    "loads:10%, forces:1%, mass:3%, test-loads:1% or support-stiffness:10%";
+    "loads:10%, forces:1%, mass:3%, test-loads:1%, support-stiffness:10% or creep:0.01%";
 
 /// @throws std::invalid_argument where the text is not of the kind's unit
 double parse_width(Kind kind, std::string_view text) {
@@ -49,6 +52,7 @@ double parse_width(Kind kind, std::string_view text) {
         case Kind::mass:
         case Kind::test_loads:
         case Kind::support_stiffness:
+        case Kind::creep:
             return parse_part(text);
         case Kind::temperature:
             return parse_temperature(text);
@@ -64,7 +68,7 @@ double parse_width(Kind kind, std::string_view text) {
 bool is_relative(Kind kind) {
     return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads ||
            kind == Kind::forces || kind == Kind::mass || kind == Kind::test_loads ||
-           kind == Kind::support_stiffness;
+           kind == Kind::support_stiffness || kind == Kind::creep;
 }
 
 std::string width_text(const UncertainParameter& parameter) {
@@ -76,6 +80,7 @@ std::string width_text(const UncertainParameter& parameter) {
         case Kind::mass:
         case Kind::test_loads:
         case Kind::support_stiffness:
+        case Kind::creep:
             return fmt::format("{:.12g}%", 1e2 * parameter.std);
         case Kind::temperature:
             return fmt::format("{:.12g}K", parameter.std);
@@ -110,10 +115,11 @@ void check_width(const UncertainParameter& parameter, std::string_view text) {
 
 void check_one(const CableNet& net, const UncertainParameter& parameter) {
     constexpr double widest_part = 1.0 / 3.0;
+    constexpr double most_strain = 0.01;
     check_width(parameter, parameter.to_string());
     const auto* const named = std::ranges::find(parameter_names, parameter.kind, &Named::kind);
     if (!parameter.group.empty() && !named->has_groups) {
-        refuse(parameter, "takes no group: only stiffness, stiffness-each and temperature do");
+        refuse(parameter, fmt::format("takes no group: only {} do", with_groups));
     }
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     if (!parameter.group.empty() && !net.data().groups.contains(parameter.group)) {
@@ -135,7 +141,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
                 refuse(parameter,
                        "needs edges with a thermal expansion, but the net has no expansion [1/K]");
             }
-            if (expansion(edges).cwiseAbs().maxCoeff() * parameter.std > 0.01) {
+            if (expansion(edges).cwiseAbs().maxCoeff() * parameter.std > most_strain) {
                 refuse(parameter, "strains edges by more than 1 %, expected less");
             }
             break;
@@ -170,6 +176,11 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
         case Kind::mass:
             if (net.data().mass.size() == 0 || net.data().mass.isZero(0.0)) {
                 refuse(parameter, "needs edges with a mass, but the net has no mass [kg/m]");
+            }
+            break;
+        case Kind::creep:
+            if (parameter.std > most_strain) {
+                refuse(parameter, "strains edges by more than 1 %, expected less");
             }
             break;
         case Kind::support_stiffness:
@@ -236,9 +247,8 @@ UncertainParameter parse_uncertain_parameter(std::string_view text) {
         if (!found->has_groups || parameter.group.empty()) {
             throw std::invalid_argument(fmt::format(
                 "the uncertain parameter '{}' {}", text,
-                found->has_groups
-                    ? "has no group after @"
-                    : "takes no group: only stiffness, stiffness-each and temperature do"));
+                found->has_groups ? std::string("has no group after @")
+                                  : fmt::format("takes no group: only {} do", with_groups)));
         }
     }
     return parameter;
@@ -293,7 +303,8 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
     assume(Kind::support_stiffness, net.elastic_supports().empty() ? 0.0 : of_supports);
     assume(Kind::forces, forces.by_cells ? of_cells : 0.0);
-    assume(Kind::mass, forces.by_mass ? of_mass : 0.0);
+    const Eigen::VectorXd& mass = net.data().mass;
+    assume(Kind::mass, mass.size() > 0 && !mass.isZero(0.0) ? of_mass : 0.0);
     assume(Kind::test_loads, forces.by_loads ? of_test_loads : 0.0);
     return given;
 }

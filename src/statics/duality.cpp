@@ -134,7 +134,7 @@ double gap_of(const EdgeState& state, double unstressed_length, const TensionLaw
     const double across =
         work > 0.0 ? force.cross(vector).squaredNorm() / (product + work) : product - work;
     return misfit_energy(state, unstressed_length, law, tension) +
-           tension * std::max(0.0, unstressed_length - state.length) + across;
+           (state.carries() ? 0.0 : tension * (unstressed_length - state.length)) + across;
 }
 
 EnergyCertificate certify_states(const CableNet& net,

@@ -15,13 +15,16 @@ namespace taut {
 struct EdgeState {
     Eigen::Vector3d direction;  ///< u = (r_s - r_t) / l; zero if the ends coincide
     double length;              ///< l [m]
-    double extension;           ///< max(0, l - l_0), of a strut l - l_0 [m]
+    double extension;           ///< max(0, l - l_0), of a strut or a sagging cable l - l_0 [m]
     double axial;               ///< dT/dl, axial stiffness, EA / l_0; also if slack [N/m]
     double tension;             ///< T, negative in a compressed strut [N]
     bool is_strut;
+    bool sags = false;
+    double curvature = 0.0;  ///< d2T/d strain2 / l_0, of a sagging cable alone [N/m]
 
-    /// Whether the edge carries force: a taut cable, or a strut, (strut-energy).
-    [[nodiscard]] bool carries() const { return extension > 0.0 || is_strut; }
+    /// Whether the edge carries force: a taut cable, a strut, (strut-energy), or one that
+    /// sags, (sagging-law).
+    [[nodiscard]] bool carries() const { return extension > 0.0 || is_strut || sags; }
     /// T / l, stiffness across the edge [N/m].
     [[nodiscard]] double force_density() const {
         return carries() && length > 0.0 ? tension / length : 0.0;
@@ -35,18 +38,21 @@ inline EdgeState edge_state(const Eigen::Vector3d& source, const Eigen::Vector3d
     const Eigen::Vector3d vector = source - target;
     const double length = vector.norm();
     const double stretch = length - unstressed_length;
-    const double extension = is_strut ? stretch : std::max(0.0, stretch);
+    const bool sags = law != nullptr && law->sags();
+    const double extension = is_strut || sags ? stretch : std::max(0.0, stretch);
     EdgeState state{
         .direction = length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(),
         .length = length,
         .extension = extension,
         .axial = axial_stiffness / unstressed_length,
         .tension = axial_stiffness / unstressed_length * extension,
-        .is_strut = is_strut};
+        .is_strut = is_strut,
+        .sags = sags};
     if (law != nullptr) {
-        const auto [tension, slope] = law->at(extension / unstressed_length);
+        const auto [tension, slope, curvature] = law->at(extension / unstressed_length);
         state.axial = slope / unstressed_length;
         state.tension = tension;
+        state.curvature = curvature / unstressed_length;
     }
     return state;
 }

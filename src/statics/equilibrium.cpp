@@ -140,10 +140,12 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
         return balanced;
     };
     const int limit = w.settings.max_iterations;
-    DescentLimits at_first = w.net.is_convex() ? plain_descent : DescentLimits{.max_steps = limit};
+    // The path of the interior-point steps leads through straight parts of laws.
+    const bool has_path = w.net.is_convex() && !w.net.sags;
+    DescentLimits at_first = has_path ? plain_descent : DescentLimits{.max_steps = limit};
     at_first.max_steps = std::min(at_first.max_steps, limit);
     bool balanced = descend(at_first);
-    if (!balanced && w.net.is_convex() && result.iterations < limit) {
+    if (!balanced && has_path && result.iterations < limit) {
         // Half of what is left: Newton's method has the last word.
         result.iterations +=
             w.approach((limit - result.iterations + 1) / 2, result.energy_decreases);

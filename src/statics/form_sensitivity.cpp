@@ -72,12 +72,16 @@ struct FormSensitivity::Factor {
         }
         const Eigen::Vector3d& u = state.direction;
         const double along = u.dot(a);
+        // Of a cable that sags: how the axial stiffness changes with the strain.
+        const double stretch = state.length / lengths(edge);
+        const double by_strain = state.curvature * (along - stretch * v) / lengths(edge);
         const double bend = (state.axial - state.force_density()) / state.length;
         const double soften = state.axial / lengths(edge);
         return {.stiffness = bend * (u * a.transpose() + a * u.transpose() -
                                      3.0 * along * u * u.transpose()) +
-                             (bend * along - soften * v) * Eigen::Matrix3d::Identity(),
-                .force_rate = soften * (2.0 * v * state.length / lengths(edge) * u - a)};
+                             (bend * along - soften * v) * Eigen::Matrix3d::Identity() +
+                             by_strain * u * u.transpose(),
+                .force_rate = soften * (2.0 * v * stretch * u - a) - by_strain * stretch * u};
     }
 
     [[nodiscard]] Eigen::VectorXd to_local(const Eigen::Ref<const Eigen::VectorXd>& free) const {
@@ -203,8 +207,10 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
         }
         const Eigen::Vector3d multiplier = f.across(e, multipliers);
         const double along = state.direction.dot(multiplier);
-        if (f.net.law(e) == nullptr) {
-            result.axial_stiffness(e) = -state.tension / f.net.axial_stiffness(e) * along;
+        if (f.net.law(e) == nullptr || state.sags) {
+            const double EA = f.net.axial_stiffness(e);
+            result.axial_stiffness(e) =
+                -state.tension / EA * (state.axial * f.lengths(e) / EA) * along;
         }
         const double across = state.force_density();
         const Eigen::Vector3d pull =  // k x

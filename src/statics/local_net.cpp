@@ -46,6 +46,14 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     local.axial_stiffness = net.axial_stiffness();
     local.laws = net.data().tension_laws;
     local.law_of_edge = net.data().tension_law;
+    local.sags = net.sags();
+    for (int e = 0; local.sags && e < net.edge_count(); ++e) {
+        local.law_of_edge.resize(net.edges().size(), -1);
+        if (const TensionLaw* law = net.tension_law(e); law != nullptr && law->sags()) {
+            local.law_of_edge[e] = static_cast<int>(local.laws.size());
+            local.laws.push_back(*law);
+        }
+    }
     for (const EdgeKind kind : net.data().kind) {
         local.struts.push_back(kind == EdgeKind::strut);
     }

@@ -24,8 +24,9 @@ struct LocalNet {
     std::vector<int> node_of;         ///< local index -> node of the net
     std::vector<Edge> edges;          ///< in local indices, order of the net's edges
     Eigen::VectorXd axial_stiffness;  ///< m [N]
-    std::vector<TensionLaw> laws;     ///< of the net
+    std::vector<TensionLaw> laws;     ///< of the net, those of cables that sag among them
     std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; empty if all are
+    bool sags = false;                ///< whether a cable does
     std::vector<bool> struts;         ///< m; empty if there are none
     Eigen::VectorXd loads;            ///< 3 free_count [N]
     std::vector<Spring> springs;      ///< of elastic supports

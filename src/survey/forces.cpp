@@ -50,9 +50,12 @@ void check_forces(const CableNet& net, const Forces& forces) {
     }
     for (const int edge : forces.slack) {
         mark(net, slack, edge, "seen slack is");
-        if (net.is_strut(edge)) {
-            throw std::invalid_argument(
-                fmt::format("edge '{}' is seen slack, but it is a strut", net.edge_id(edge)));
+        if (!net.can_be_slack(edge)) {
+            throw std::invalid_argument(fmt::format("edge '{}' is seen slack, but {}",
+                                                    net.edge_id(edge),
+                                                    net.is_strut(edge) ? "it is a strut"
+                                                                       : "as a cable that sags it "
+                                                                         "carries tension"));
         }
         if (taut[edge]) {
             throw std::invalid_argument(

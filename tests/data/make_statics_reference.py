@@ -17,16 +17,27 @@ from pathlib import Path
 
 import numpy as np
 import scipy
-from scipy.optimize import minimize, root
+from scipy.integrate import quad
+from scipy.optimize import brentq, minimize, root
 
 
 class Net:
     """Nodes (n x 3), supports, edges (m x 2), EA and l_0 (m), loads (n x 3); springs: a list of a
     free node, its stiffness (3 x 3) and its place without load (3); struts: edges that carry
-    compression, too."""
+    compression, too; sags: weights across the chord (m), 0 of a straight edge."""
 
     def __init__(
-        self, name, nodes, supports, edges, axial_stiffness, lengths, loads, springs=(), struts=()
+        self,
+        name,
+        nodes,
+        supports,
+        edges,
+        axial_stiffness,
+        lengths,
+        loads,
+        springs=(),
+        struts=(),
+        sags=None,
     ):
         self.name = name
         self.nodes = np.array(nodes, float)
@@ -38,11 +49,24 @@ class Net:
         self.springs = [(node, np.array(k, float), np.array(at, float)) for node, k, at in springs]
         self.free = [i for i in range(len(nodes)) if i not in supports]
         self.is_strut = np.isin(np.arange(len(edges)), struts)
+        self.sags = np.zeros(len(edges)) if sags is None else np.array(sags, float)
 
     def form(self, x):
         form = self.nodes.copy()
         form[self.free] = x.reshape(-1, 3)
         return form
+
+    def sagging_tension(self, edge, strain):
+        """By bisection: the tension at which the arc of the parabola is as long as the cable."""
+        weight = self.sags[edge] * self.lengths[edge]
+        stiffness = self.stiffness[edge]
+        most = stiffness * max(0.0, strain) + stiffness ** (1 / 3) * weight ** (2 / 3) + weight
+
+        def arc_too_long(tension):
+            return strain + (weight / tension) ** 2 / 24.0 - tension / stiffness
+
+        least = 1e-3 * weight
+        return brentq(arc_too_long, least, 10.0 * most, xtol=1e-300, rtol=1e-15)
 
     def edges_at(self, x):
         """Vectors, lengths and tensions of all edges."""
@@ -51,15 +75,34 @@ class Net:
         lengths = np.linalg.norm(vectors, axis=1)
         strain = lengths / self.lengths - 1.0
         strain = np.where(self.is_strut, strain, np.maximum(0.0, strain))
-        return vectors, lengths, self.stiffness * strain
+        tensions = self.stiffness * strain
+        for edge in np.flatnonzero(self.sags):
+            tensions[edge] = self.sagging_tension(edge, lengths[edge] / self.lengths[edge] - 1.0)
+        return vectors, lengths, tensions
+
+    def edge_energies(self, lengths, tensions):
+        stretch = tensions * self.lengths / self.stiffness
+        energies = self.stiffness / (2.0 * self.lengths) * stretch**2
+        for edge in np.flatnonzero(self.sags):
+            strain = lengths[edge] / self.lengths[edge] - 1.0
+            stored, _ = quad(lambda s, e=edge: self.sagging_tension(e, s), 0.0, strain, epsrel=1e-13)
+            energies[edge] = stored * self.lengths[edge]
+        return energies
+
+    def axial(self, lengths, tensions):
+        """dT/dl: that of a sagging cable by the derivative of its tension's equation."""
+        flexibility = 1.0 / self.stiffness
+        for edge in np.flatnonzero(self.sags):
+            weight = self.sags[edge] * self.lengths[edge]
+            flexibility[edge] += weight**2 / (12.0 * tensions[edge] ** 3)
+        return 1.0 / (flexibility * self.lengths)
 
     def energy(self, x):
-        _, _, tensions = self.edges_at(x)
-        stretch = tensions * self.lengths / self.stiffness
+        _, lengths, tensions = self.edges_at(x)
         work = np.sum(self.loads[self.free] * self.form(x)[self.free])
         shifts = [(self.form(x)[node] - place, k) for node, k, place in self.springs]
         of_springs = sum(0.5 * shift @ k @ shift for shift, k in shifts)
-        return np.sum(self.stiffness / (2.0 * self.lengths) * stretch**2) + of_springs - work
+        return np.sum(self.edge_energies(lengths, tensions)) + of_springs - work
 
     def forces(self, x):
         vectors, lengths, tensions = self.edges_at(x)
@@ -76,7 +119,7 @@ class Net:
         n = len(self.nodes)
         hessian = np.zeros((n, 3, n, 3))
         for (s, t), vector, length, tension, axial in zip(
-            self.edges, vectors, lengths, tensions, self.stiffness / self.lengths
+            self.edges, vectors, lengths, tensions, self.axial(lengths, tensions)
         ):
             if tension != 0.0:
                 along = np.outer(vector, vector) / length**2
@@ -117,6 +160,7 @@ class Net:
                 for node, k, place in self.springs
             ],
             "struts": np.flatnonzero(self.is_strut).tolist(),
+            "sags": self.sags.tolist() if self.sags.any() else [],
             "form": self.form(x).tolist(),
             "tensions": tensions.tolist(),
             "slack_edges": slack.tolist(),
@@ -215,6 +259,96 @@ def mast():
     return Net("mast", nodes, [2, 3, 4, 5, 6], edges, stiffness, lengths.round(6), loads, (), [0, 1])
 
 
+def sagging(random):
+    """The grid with cables that sag, two of them 5 % longer than the distance of their nodes."""
+    net = grid(np.random.default_rng(1))
+    net.name = "sagging"
+    loose = net.lengths > 1.1 * distances(net.nodes, net.edges)
+    net.lengths[loose] = (1.05 * distances(net.nodes, net.edges)[loose]).round(4)
+    net.sags = random.uniform(0.0, 200.0, len(net.edges)).round(1)
+    net.sags[[0, 5]] = 0.0
+    return net
+
+
+class Catenaries(Net):
+    """Cables that hang as elastic catenaries, each solved from the formulas of H. M. Irvine (1981) for
+    the force at its ends: no parabola, no chord. Weights (m) [N/m] act along the unstressed cable."""
+
+    def end_forces(self, edge, vector):
+        """Of a cable from its lower end up to vector: the pulls at the lower and upper end."""
+        weight, length = self.weights[edge], self.lengths[edge]
+        stiffness = self.stiffness[edge]
+        across = np.hypot(vector[0], vector[1])
+
+        def misfit(force):
+            h, v = force  # at the upper end
+            low = v - weight * length
+            x = h * length / stiffness + h / weight * (np.arcsinh(v / h) - np.arcsinh(low / h))
+            z = (v + low) * length / (2.0 * stiffness)
+            z += (np.hypot(h, v) - np.hypot(h, low)) / weight
+            return [x - across, z - vector[2]]
+
+        chord = np.linalg.norm(vector)
+        pull = self.sagging_tension(edge, chord / length - 1.0)
+        start = [pull * across / chord, pull * vector[2] / chord + 0.5 * weight * length]
+        h, v = root(misfit, start, method="hybr", options={"xtol": 1e-14}).x
+        assert np.abs(misfit([h, v])).max() < 1e-12
+        along = np.array([vector[0], vector[1], 0.0]) / across
+        return h * along + [0, 0, v - weight * length], h * along + [0, 0, v]
+
+    def forces(self, x):
+        form = self.form(x)
+        forces = -self.loads.copy()
+        for edge, (s, t) in enumerate(self.edges):
+            low, high = (s, t) if form[s, 2] <= form[t, 2] else (t, s)
+            at_low, at_high = self.end_forces(edge, form[high] - form[low])
+            forces[low] -= at_low
+            forces[high] += at_high
+        return forces[self.free].ravel()
+
+    def solve(self):
+        x = root(self.forces, self.nodes[self.free].ravel(), method="hybr", options={"xtol": 1e-14}).x
+        worst = np.abs(self.forces(x)).max()
+        assert worst < 1e-6, f"{self.name}: {worst} N"
+        form = self.form(x)
+        middles = []  # the tension along the chord: half of the pulls at both ends, less the weight
+        for edge, (s, t) in enumerate(self.edges):
+            low, high = (s, t) if form[s, 2] <= form[t, 2] else (t, s)
+            at_low, at_high = self.end_forces(edge, form[high] - form[low])
+            chord = (form[high] - form[low]) / np.linalg.norm(form[high] - form[low])
+            middles.append(0.5 * (at_low + at_high) @ chord)
+        print(f"{self.name}: {worst:.1g} N out of balance")
+        return {
+            "name": self.name,
+            "nodes": form.tolist(),
+            "supports": self.supports,
+            "edges": self.edges.tolist(),
+            "axial_stiffness": self.stiffness.tolist(),
+            "unstressed_lengths": self.lengths.tolist(),
+            "loads": self.loads.tolist(),
+            "weights": self.weights.tolist(),
+            "form": form.tolist(),
+            "tensions": middles,
+        }
+
+
+def catenaries():
+    """Two nodes between six supports: cables of 15 to 25 m, 8 kg/m, which sag by 1 to 3 % of their
+    chords."""
+    nodes = [[-9.0, 0.5, 6.0], [9.0, -0.5, 6.4]]
+    nodes += [[-25, -9, 10.0], [-26, 10, 9.0], [25, -10, 9.5], [26, 9, 10.5], [-9, 16, 2.0], [9, -17, 1.5]]
+    edges = [(0, 1), (0, 2), (0, 3), (1, 4), (1, 5), (0, 6), (1, 7)]
+    tensions = np.array([30e3, 17e3, 18e3, 17e3, 18e3, 9e3, 9e3])
+    stiffness = np.array([60e6] * 5 + [40e6] * 2)
+    weights = np.array([80.0] * 5 + [60.0] * 2)
+    chords = distances(nodes, edges)
+    lengths = chords * (1.0 + (weights * chords / tensions) ** 2 / 24.0) / (1.0 + tensions / stiffness)
+    net = Catenaries("catenaries", nodes, range(2, 8), edges, stiffness, lengths.round(4), np.zeros((8, 3)))
+    net.weights = weights
+    net.sags = weights  # where each search of an edge's forces starts
+    return net
+
+
 def main():
     nets = [
         grid(np.random.default_rng(1)),
@@ -223,6 +357,8 @@ def main():
         on_springs(np.random.default_rng(2)),
         simplex(),
         mast(),
+        sagging(np.random.default_rng(3)),
+        catenaries(),
     ]
     reference = {
         "SPDX-FileCopyrightText": "2026 The taut authors",

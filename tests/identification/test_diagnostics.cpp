@@ -18,6 +18,7 @@
 #include "taut/identification/identify.hpp"
 #include "taut/net/cable_runs.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace of_diagnostics {
 
@@ -380,6 +381,48 @@ TEST(Diagnostics, OfACableThatTheNetLacksNamesItsNodes) {
         EXPECT_TRUE(finds(result, Kind::net_balance, {given.node_id(from), given.node_id(to)}));
         EXPECT_FALSE(finds(identify(built, s.survey, options), Kind::net_balance));
     }
+}
+
+/// `hypar:5x5` with 32 m between nodes, of cables of 10 kg/m that hang 15 cm below their chords.
+CableNet heavy_net() {
+    constexpr double EA = 60e6;
+    CableNetData data = hypar(5, 5).data();
+    const CableNet small(data);
+    const Eigen::VectorXd spans = edge_lengths(small, data.nodes);
+    const Eigen::VectorXd strain = (spans.cwiseQuotient(data.unstressed_lengths)).array() - 1.0;
+    const Eigen::VectorXd tension = 60e3 / strain.mean() * strain;
+    data.nodes *= 240.0;
+    data.axial_stiffness.setConstant(EA);
+    data.unstressed_lengths = 240.0 * spans.cwiseQuotient((1.0 + tension.array() / EA).matrix());
+    data.mass = Eigen::VectorXd::Constant(spans.size(), 10.0);
+    data.sag_weight = sag_weights_by_mass(data);
+    data.nodes = solve_equilibrium(CableNet(data)).form;
+    return CableNet(std::move(data));
+}
+
+/// With the self-weight known to 3 % and each stiffness to 2 %, samples are in equilibrium.
+TEST(Diagnostics, PassesHeavyCablesWithTheirSagAndNamesThoseWithout) {
+    const CableNet given = heavy_net();
+    const LengthPrior tolerance{LengthPrior::Kind::normal, 0.002};
+    const SimulatedSurvey s = simulate(given, tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
+    IdentifyOptions options;
+    options.prior = tolerance;
+    options.assume_site = true;
+    options.draws = 200;
+    const Identification result = identify(given, s.survey, options);
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed) << result.trust.findings[0].reason;
+    EXPECT_FALSE(finds(result, Kind::sag));
+    EXPECT_FALSE(result.drawn.tensions.empty());
+    EXPECT_GT(coverage(result, s.deviations), 0.85);
+    EXPECT_TRUE(std::ranges::any_of(result.assumptions, [](const Assumption& one) {
+        return one.parameter.to_string() == "mass:3%";
+    }));
+
+    CableNetData straight = given.data();
+    straight.sag_weight.resize(0);
+    const Identification without = identify(CableNet(straight), s.survey, options);
+    EXPECT_TRUE(finds(without, Kind::sag));
+    EXPECT_NE(without.trust.verdict(), Trust::Verdict::passed);
 }
 
 /// A load that the drawn form does not carry yet is no fault.

@@ -655,6 +655,69 @@ TEST(Epochs, AKnownLoadThatIsNotGivenIsNamed) {
     EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
 }
 
+/// The strain that interior edges gain between two surveys, which do not see it unless told so.
+TEST(Epochs, FindTheCreepOfRopes) {
+    constexpr double strain = 4e-3;
+    Eigen::VectorXd crept = Eigen::VectorXd::Zero(net().interior_edge_count());
+    CableNetData data = net().data();
+    for (int i = 0; i < net().interior_edge_count(); i += 2) {
+        const int edge = net().interior_edges()[static_cast<size_t>(i)];
+        crept(i) = strain * net().unstressed_lengths()(edge);
+        data.groups["rope"].push_back(edge);
+    }
+    const CableNet grouped(data);
+    IdentifyOptions options;
+    options.prior = prior;
+    options.assume_site = true;
+    options.uncertain = {parse_uncertain_parameter("creep:0.5%@rope")};
+    int far = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Job job = job_of(seed, {}, {}, crept);
+        const Identification found = identify_epochs(grouped, job.epochs, options);
+        EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed) << found.trust.findings[0].reason;
+        const auto creep =
+            std::ranges::find(found.uncertain, UncertainParameter::Kind::creep,
+                              [](const ParameterEstimate& one) { return one.parameter.kind; });
+        ASSERT_NE(creep, found.uncertain.end());
+        EXPECT_EQ(creep->parameter, options.uncertain[0]);
+        EXPECT_LT(creep->std, 2e-3);
+        far += std::abs(creep->mean - strain) > 2.0 * creep->std ? 1 : 0;
+        EXPECT_NEAR(creep->mean, strain, 3.0 * creep->std);
+        // Lengths are those of the last survey's temperature and creep: the strain is beside them.
+        EXPECT_GT(test::coverage(found, job.deviations), 0.85);
+        // Not told, it is a small error of the lengths, and named where it is a large one.
+        IdentifyOptions without = options;
+        without.uncertain.clear();
+        EXPECT_GT(test::coverage(identify_epochs(grouped, job.epochs, without), job.deviations),
+                  0.85);
+        EXPECT_NE(identify_epochs(grouped, job_of(seed, {}, {}, 4.0 * crept).epochs, without)
+                      .trust.verdict(),
+                  Trust::Verdict::passed);
+    }
+    EXPECT_LE(far, 1);
+    EXPECT_THAT([&] { (void)identify(grouped, job_of(1, {}, {}).epochs[0].survey, options); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("expected a second survey")));
+}
+
+/// A third survey has had twice the time: a walk of which each step is as wide.
+TEST(Epochs, LetCreepGoOn) {
+    constexpr double strain = 3e-3;
+    const Eigen::VectorXd lengths = net().unstressed_lengths()(net().interior_edges());
+    Job job = job_of(5, {}, {}, strain * lengths);
+    job.epochs.push_back(job_of(5, {}, {}, 2.5 * strain * lengths).epochs[1]);
+    for (const int node : job.epochs[2].survey.surveyed) {  // with noise of its own
+        job.epochs[2].survey.form.col(node) += 0.3 * noise * Eigen::Vector3d(1, -1, 1).normalized();
+    }
+    IdentifyOptions options;
+    options.prior = prior;
+    options.uncertain = {parse_uncertain_parameter("creep:0.5%")};
+    const Identification found = identify_epochs(net(), job.epochs, options);
+    ASSERT_EQ(found.status, IdentificationStatus::converged);
+    EXPECT_NEAR(found.uncertain[0].mean, 2.5 * strain, 3.0 * found.uncertain[0].std);
+    EXPECT_NEAR(found.uncertain[0].prior_std, std::sqrt(2.0) * 5e-3, 1e-9);
+    EXPECT_EQ(found.uncertain[0].parameter, options.uncertain[0]);
+}
+
 TEST(Epochs, RefuseWhatIsNotForSeveralSurveys) {
     const std::vector<EdgeTurned> turned = some_turns(1);
     const Job job = job_of(1, turned, turned);

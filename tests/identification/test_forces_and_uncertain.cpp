@@ -88,6 +88,7 @@ double truth_of(const ModelPerturbation& c, const CableNet& net,
         case UncertainParameter::Kind::forces:
         case UncertainParameter::Kind::mass:
         case UncertainParameter::Kind::test_loads:
+        case UncertainParameter::Kind::creep:
             break;  // not drawn here
     }
     return 0.0;
@@ -352,6 +353,16 @@ TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
     };
     EXPECT_EQ(ratio_shown(0.04), 0.0);
     EXPECT_NEAR(ratio_shown(0.06), 0.5 / std::sqrt(0.06), 1e-9);
+    // Of sixty numbers, a twentieth of the variance may be that of three of them.
+    const auto contradicted = [](double mean, double part) {
+        const std::vector<ParameterEstimate> many(
+            60, {.mean = mean * std::sqrt(part), .std = std::sqrt(1.0 - part), .prior_std = 1.0});
+        return spreads_of(many).at(0).is_contradicted();
+    };
+    EXPECT_FALSE(contradicted(2.0, 0.05));  // chi squared of 3: 16.3 once in a thousand times
+    EXPECT_TRUE(contradicted(2.4, 0.05));
+    EXPECT_TRUE(contradicted(1.6, 0.5));
+    EXPECT_FALSE(contradicted(1.4, 1.0));
 }
 
 class ForceMeasurements : public testing::Test {

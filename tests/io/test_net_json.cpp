@@ -130,6 +130,25 @@ TEST(NetJson, ReadsBackStruts) {
     EXPECT_NE(CableNet(data).fingerprint(), net.fingerprint());
 }
 
+TEST(NetJson, ReadsBackSagsAndThoseOfMasses) {
+    CableNetData data = cable_dome().data();
+    data.mass = Eigen::VectorXd::Constant(std::ssize(data.edges), 4.0);
+    data.sag_weight = sag_weights_by_mass(data);
+    const CableNet net(data);
+    ASSERT_TRUE(net.sags());
+    const CableNet again = parse_net(net_to_json(net), "net.json").net;
+    EXPECT_EQ(again.data().sag_weight, net.data().sag_weight);
+    EXPECT_EQ(again.fingerprint(), net.fingerprint());
+    auto document = nlohmann::json::parse(net_to_json(net));
+    document["sag_weight"] = "mass";
+    EXPECT_EQ(parse_net(document.dump(), "net.json").net.data().sag_weight, data.sag_weight);
+    document["sag_weight"] = 7.5;
+    const CableNet one = parse_net(document.dump(), "net.json").net;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        EXPECT_EQ(one.data().sag_weight(e), net.is_strut(e) ? 0.0 : 7.5) << e;
+    }
+}
+
 TEST(NetJson, ReadsBackElasticSupports) {
     CableNetData data = hypar(2, 2).data();
     const int stiff = data.supports[1];

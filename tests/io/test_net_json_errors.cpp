@@ -125,6 +125,18 @@ INSTANTIATE_TEST_SUITE_P(
                  ":/kind: has 1 entries, expected 2, one for each edge"},
         BadValue{"BucklingLoadWithoutStrut", "/buckling_load", "[null, 4e3]",
                  ":/buckling_load: is given, but no edge is a strut by \"kind\""},
+        BadValue{
+            "SagByAnotherWord", "/sag_weight", R"("weight")",
+            R"(:/sag_weight: is 'weight', expected "mass", one number, or an array of numbers)"},
+        BadValue{"SagByMassOfNone", "/sag_weight", R"("mass")",
+                 R"(:/sag_weight: is "mass", but the net has no "mass")"},
+        BadValue{"SagOfTooManyEdges", "/sag_weight", "[1, 2, 3]",
+                 ":/sag_weight: has 3 entries, expected 2, one for each edge"},
+        BadValue{"SagUpwards", "/sag_weight", "-5",
+                 ":/sag_weight: is -5, expected a finite number of at least 0"},
+        BadValue{"SagOfAnAbsurdWeight", "/sag_weight", "1e9",
+                 ":/sag_weight: is 1000000000: the cable weighs 9.9e+08 N, expected no more than a "
+                 "tenth of its axial stiffness of 2e+05 N"},
         BadValue{"ThreadOfTooManyEdges", "/thread", R"(["right", "left", "left"])",
                  ":/thread: has 3 entries, expected 1, one for each adjustable edge"},
         BadValue{"ThreadNeitherRightNorLeft", "/thread", R"(["up"])",

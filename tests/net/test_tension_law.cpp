@@ -59,7 +59,7 @@ RC_GTEST_PROP(TensionLaw, BlurredIsItsMeanOverTheStrain, ()) {
     double mean = 0.0;
     double with_step = 0.0;
     double squares = 0.0;
-    const auto [tension, slope] = it.blurred(strain, std);
+    const auto [tension, slope, curvature] = it.blurred(strain, std);
     for (int i = 0; i < count; ++i) {  // midpoints of [-8, 8] standard deviations
         const double z = -8.0 + 16.0 * (i + 0.5) / count;
         const double weight =
@@ -106,6 +106,77 @@ TEST(TensionLaw, EnergyKeepsItsDigitsWhereStrainsAlmostAgree) {
     const double difference = law().energy_between(0.0025, 0.0025 + 1e-12);
     EXPECT_NEAR(difference / 1e-12, 100.0, 0.02);  // 1e-12 itself is rounded
     EXPECT_GT(difference, 0.0);
+}
+
+/// Of any sag, from one that is hardly there to one that makes the cable soft.
+TensionLaw sagging(test::Random& random) {
+    const double EA = std::pow(10.0, test::uniform(random, 4.0, 8.0));
+    return {.name = "",
+            .strain = Eigen::Vector2d(0.0, 1.0),
+            .tension = Eigen::Vector2d(0.0, EA),
+            .sag = EA * std::pow(10.0, test::uniform(random, -8.0, -2.0))};
+}
+
+RC_GTEST_PROP(SaggingLaw, SolvesItsEquationAndIsSmooth, ()) {
+    test::Random random = test::any_random();
+    const TensionLaw it = sagging(random);
+    const double EA = it.tension(1);
+    const double strain = test::uniform(random, -0.05, 0.02);
+    const auto [T, slope, curvature] = it.at(strain);
+    RC_ASSERT(problem_of(it).empty());
+    RC_ASSERT(T > 0.0);
+    RC_ASSERT(std::abs(T / EA - std::pow(it.sag / T, 2) - strain) < 1e-12);
+    RC_ASSERT(std::abs(it.strain_at(T) - strain) < 1e-12);
+    const double step = 1e-4 * T / slope;
+    const auto forth = it.at(strain + step);
+    const auto back = it.at(strain - step);
+    RC_ASSERT(std::abs((forth.tension - back.tension) / (2.0 * step) - slope) < 1e-6 * slope);
+    const double largest = EA * slope / T;  // no curvature is larger
+    RC_ASSERT(std::abs((forth.slope - back.slope) / (2.0 * step) - curvature) < 1e-5 * largest);
+    RC_ASSERT(slope <= EA);
+    RC_ASSERT(it.blurred(strain, 0.01).tension == T);
+}
+
+RC_GTEST_PROP(SaggingLaw, EnergyIsTheIntegralOfTheTension, ()) {
+    test::Random random = test::any_random();
+    const TensionLaw it = sagging(random);
+    const double from = it.at(test::uniform(random, -0.01, 0.01)).tension;
+    const double to = from * test::uniform(random, 0.5, 2.0);
+    // Over the tension: T d strain = T (strain of T)'.
+    constexpr int pieces = 2000;
+    double sum = 0.0;
+    for (int i = 0; i < pieces; ++i) {
+        const double a = from + (to - from) * i / pieces;
+        const double b = from + (to - from) * (i + 1) / pieces;
+        sum += 0.5 * (a + b) * (it.strain_at(b) - it.strain_at(a));
+    }
+    const double a = it.strain_at(from);
+    const double b = it.strain_at(to);
+    const double scale = to * std::abs(b - a);
+    RC_ASSERT(std::abs(it.energy_between(a, b) - sum) < 1e-5 * scale + 1e-12 * to);
+    RC_ASSERT(std::abs(it.energy_between(a, b) + it.energy_between(b, a)) <= 1e-12 * scale);
+    RC_ASSERT(std::abs(0.5 * (from + to) * (b - a) - it.energy_between(a, b) -
+                       it.corner_energy(a, b)) < 1e-10 * scale + 1e-14 * to);
+}
+
+TEST(SaggingLaw, IsSofterByErnstsFactorAndScaledWithoutItsSag) {
+    // 100 m, 0.4 kN/m, 2000 kN and 1.6 GN: w l = 40 kN.
+    const TensionLaw it{.name = "",
+                        .strain = Eigen::Vector2d(0.0, 1.0),
+                        .tension = Eigen::Vector2d(0.0, 1.6e9),
+                        .sag = 40e3 / std::sqrt(24.0)};
+    const double T = 2e6;
+    const double ernst = 1.6e9 / (1.0 + 1.6e9 * 40e3 * 40e3 / (12.0 * T * T * T));
+    EXPECT_NEAR(it.at(it.strain_at(T)).slope, ernst, 1e-6 * ernst);
+    for (const double zero : {0.0, -0.0}) {  // T^3 = EA S^2
+        EXPECT_NEAR(it.at(zero).tension, std::cbrt(1.6e9 * it.sag * it.sag), 1e-3);
+    }
+    EXPECT_EQ(it.stiffened(2.0).sag, it.sag);
+    EXPECT_EQ(it.stiffened(2.0).tension(1), 3.2e9);
+    EXPECT_EQ(it.strain_at(0.0), -0.5);
+    TensionLaw bent = law();
+    bent.sag = 1.0;
+    EXPECT_THAT(problem_of(bent), HasSubstr("4 points, expected a positive sag and two"));
 }
 
 TEST(TensionLaw, HasTheProblemOfTheFirstRuleThatItBreaks) {

@@ -70,6 +70,69 @@ def test_struts_carry_compression(tmp_path):
         taut.CableNet(**settings, buckling_load=np.full(len(dome.edges), 5e4))
 
 
+def heavy_net(sag_weight="mass"):
+    """`hypar:5x5` with 32 m between nodes, of cables of 10 kg/m, in balance."""
+    small = taut.hypar(5, 5)
+    spans = np.linalg.norm(small.nodes[small.edges[:, 0]] - small.nodes[small.edges[:, 1]], axis=1)
+    strain = spans / small.unstressed_lengths - 1
+    tension, spans = 60e3 * strain / strain.mean(), 240 * spans
+    settings = {
+        "supports": small.supports,
+        "edges": small.edges,
+        "axial_stiffness": 60e6,
+        "unstressed_lengths": spans / (1 + tension / 60e6) * (1 + (98 * spans / tension) ** 2 / 24),
+        "mass": 10.0,
+    }
+    flat = taut.CableNet(nodes=240 * small.nodes, sag_weight="mass", **settings)
+    form = taut.EquilibriumSolver(flat).solve(flat.unstressed_lengths).form
+    return taut.CableNet(nodes=form, sag_weight=sag_weight, **settings)
+
+
+def test_cables_sag(tmp_path):
+    net = heavy_net()
+    across = np.abs(net.nodes[net.edges[:, 0]] - net.nodes[net.edges[:, 1]])[:, :2]
+    spans = np.linalg.norm(net.nodes[net.edges[:, 0]] - net.nodes[net.edges[:, 1]], axis=1)
+    # Of the slope in the form that the weights were found in, a little off the one in balance.
+    assert np.allclose(net.sag_weight, 98.0665 * np.hypot(*across.T) / spans, rtol=1e-9)
+    tension = taut.tensions(net, net.unstressed_lengths, net.nodes)
+    arc = (net.sag_weight * net.unstressed_lengths / tension) ** 2 / 24
+    assert spans / net.unstressed_lengths - 1 == pytest.approx(tension / 60e6 - arc, abs=1e-12)
+    net.save(tmp_path / "net.json")
+    again = taut.CableNet.load(tmp_path / "net.json")
+    assert again.fingerprint == net.fingerprint
+    assert np.array_equal(again.sag_weight, net.sag_weight)
+    assert heavy_net(0.0).sag_weight.max() == 0
+    with pytest.raises(taut.NetError, match="sag_weight"):
+        heavy_net(-1.0)
+    with pytest.raises(ValueError, match="expected 'mass'"):
+        heavy_net("weight")
+    # Loose by half a metre, a cable still pulls.
+    loose = net.unstressed_lengths.copy()
+    loose[net.interior_edges[12]] += 0.5
+    found = taut.EquilibriumSolver(net).solve(loose)
+    assert found.status == "converged"
+    assert len(found.slack_edges) == 0
+
+
+def test_sag_goes_through_identification_and_a_plan(tmp_path):
+    net = heavy_net()
+    random = np.random.default_rng(4)
+    lengths = net.unstressed_lengths.copy()
+    lengths[net.interior_edges] += 5e-3 * random.normal(size=len(net.interior_edges))
+    form = taut.EquilibriumSolver(net).solve(lengths).form
+    places = (form + random.normal(0, 1e-3, form.shape))[net.free_nodes]
+    survey = taut.read_survey(net, places, ids=net.free_nodes, noise=1e-3)
+    found = taut.identify(net, survey, prior="normal:5mm")
+    assert found.trust == "passed"
+    built = taut.tensions(net, lengths, form)
+    assert np.mean((found.tension_lower <= built) & (built <= found.tension_upper)) > 0.9
+    plan = taut.plan(found, stroke=0.03, tension=(20e3, 200e3))
+    assert plan.is_feasible
+    assert np.all(plan.tension_lower > 20e3)
+    plan.save(tmp_path / "plan.json")
+    assert json.loads((tmp_path / "plan.json").read_text())["tension"]["least"] > 20e3
+
+
 def test_struts_go_through_identification_and_a_plan(tmp_path):
     dome = taut.cable_dome()
     random = np.random.default_rng(3)

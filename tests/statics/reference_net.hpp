@@ -60,6 +60,9 @@ inline CableNet net_of(const Json& json) {
         data.kind.resize(data.edges.size(), EdgeKind::cable);
         data.kind[edge] = EdgeKind::strut;
     }
+    if (json.contains("sags") && !json.at("sags").empty()) {
+        data.sag_weight = vector_of(json.at("sags"));
+    }
     return CableNet(std::move(data));
 }
 

@@ -35,7 +35,8 @@ TEST_P(ReferenceNet, HasTheFormThatScipyFinds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scipy, ReferenceNet,
-                         ::testing::Values("grid", "chain", "tripod", "springs", "simplex", "mast"),
+                         ::testing::Values("grid", "chain", "tripod", "springs", "simplex", "mast",
+                                           "sagging"),
                          [](const auto& param) { return std::string(param.param); });
 
 }  // namespace

@@ -52,6 +52,7 @@ const kinds: Record<Finding["kind"], { name: string; of?: "edge" | "node"; scale
   epoch: { name: "Epoch", scale: timesChance },
   repeated_survey: { name: "Repeated survey", scale: timesChance },
   net_balance: { name: "Net out of balance", of: "node", scale: { unit: "times the mean tension", factor: 1 } },
+  sag: { name: "Sag of cables", of: "edge", scale: mm },
   other: { name: "Finding" },
 };
 

@@ -35,11 +35,13 @@ struct TAUT_CORE_EXPORT ParameterEstimate {
 /// The spread_ratio() of the estimates of one parameter.
 struct TAUT_CORE_EXPORT ParameterSpread {
     UncertainParameter parameter;  ///< with its standard deviation before the survey
-    int count = 0;                 ///< of numbers
     double ratio = 0.0;            ///< 0 where nothing shows them
-    double widening = 1.0;         ///< standard deviation before the survey over the parameter's
+    /// By how many independent numbers the survey shows them, at least: their count times the part
+    /// of their variance that it takes away.
+    double shown = 0.0;
+    double widening = 1.0;  ///< standard deviation before the survey over the parameter's
 
-    /// Whether the ratio is significantly large.
+    /// Whether the ratio is larger than chance would have it once in a thousand times, and 1.5.
     [[nodiscard]] bool is_contradicted() const;
 };
 

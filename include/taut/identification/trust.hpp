@@ -64,7 +64,8 @@ struct TAUT_CORE_EXPORT Trust {
             epoch,                 ///< change of the lengths between two surveys over the expected
             repeated_survey,       ///< difference of two surveys' errors over the expected
             net_balance,           ///< force out of balance at a node over the mean tension
-            other,                 ///< read from a result of an earlier version, without a kind
+            sag,    ///< of cables, taken as none or as a parabola: error as length [m]
+            other,  ///< read from a result of an earlier version, without a kind
         };
         Kind kind = Kind::no_convergence;    ///< what this is about
         Verdict severity = Verdict::passed;  ///< what this alone leads to

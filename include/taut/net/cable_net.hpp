@@ -94,7 +94,19 @@ struct CableNetData {
     /// m, the compression at which a strut buckles, > 0; infinite: not known, as of all cables; or
     /// none [N].
     Eigen::VectorXd buckling_load;
+    /// m, weight per length across the chord that makes a cable sag between its nodes; 0: the cable
+    /// is straight; or none. sag_weights_by_mass() gives that of the masses [N/m].
+    Eigen::VectorXd sag_weight;
 };
+
+/// CableNetData::sag_weight of the own weight of each edge: its part across the chord in the form
+/// of the data, 0 for struts and edges with a tension law (m) [N/m].
+/// @param data with all sizes right
+/// @throws std::invalid_argument if it has no masses
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd sag_weights_by_mass(const CableNetData& data);
+/// The same weight for all edges but struts and those with a tension law (m) [N/m].
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd equal_sag_weights(const CableNetData& data,
+                                                                 double weight);
 
 /// The edges with a support at one end at least: CableNetData::adjustable of most nets.
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
@@ -120,7 +132,8 @@ public:
     ///   other than that of the adjustable edges, a run without edges or with one that another run
     ///   has, an elastic support that is no free node or whose stiffness is not symmetric and
     ///   positive definite, a strut with a tension law, a buckling load that is not positive or is
-    ///   that of a cable.
+    ///   that of a cable, a sag weight that is negative or that of a strut or of an edge with a
+    ///   tension law.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;
@@ -137,11 +150,15 @@ public:
     /// EA; for an edge with a tension law the greatest slope of the law, whatever the data holds
     /// [N].
     [[nodiscard]] const Eigen::VectorXd& axial_stiffness() const { return m_data.axial_stiffness; }
-    /// The tension law of an edge; null if its tension is linear, EA (l/l_0 - 1).
+    /// The tension law of an edge, that of a cable that sags among them; null if its tension is
+    /// linear, EA (l/l_0 - 1).
     /// @param edge 0 to edge_count() - 1
     /// @throws std::out_of_range for another
     [[nodiscard]] const TensionLaw* tension_law(int edge) const {
         check_index("edge", edge, m_data.edges.size());
+        if (sags() && m_sag_laws[edge].sags()) {
+            return &m_sag_laws[edge];
+        }
         return m_data.tension_law.empty() || m_data.tension_law[edge] < 0
                    ? nullptr
                    : &m_data.tension_laws[m_data.tension_law[edge]];
@@ -156,7 +173,17 @@ public:
     /// Whether any edge is a strut. The energy is not convex then: there may be several forms, or
     /// none that is stable.
     [[nodiscard]] bool has_struts() const { return !m_data.kind.empty(); }
-    /// Whether no edge has a tension law.
+    /// Whether any cable sags between its nodes: then it is never slack.
+    [[nodiscard]] bool sags() const { return !m_sag_laws.empty(); }
+    /// Whether an edge carries nothing where it is longer than the distance of its nodes: a cable
+    /// that does not sag.
+    /// @param edge 0 to edge_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] bool can_be_slack(int edge) const {
+        check_index("edge", edge, m_data.edges.size());
+        return !is_strut(edge) && !(sags() && m_sag_laws[edge].sags());
+    }
+    /// Whether no edge has a tension law, apart from cables that sag.
     [[nodiscard]] bool is_linear() const { return m_data.tension_law.empty(); }
     /// l_0 of all edges (m) [m].
     [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
@@ -235,8 +262,8 @@ public:
     [[nodiscard]] int find_edge(std::string_view id) const;
 
     /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges,
-    /// loads, tension laws, masses, elastic supports and struts. Nets with the same fingerprint
-    /// have the same statics, whatever their names.
+    /// loads, tension laws, masses, elastic supports, struts and sags. Nets with the same
+    /// fingerprint have the same statics, whatever their names.
     [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
 
 private:
@@ -253,10 +280,11 @@ private:
     std::vector<int> m_free_nodes;
     std::vector<int> m_free_index;
     std::vector<int> m_interior;
-    std::vector<int> m_starts;         ///< of each node in the next two; one more at the end
-    std::vector<int> m_edges_at;       ///< node by node
-    std::vector<int> m_neighbours;     ///< the other end of each of these edges
-    std::vector<int> m_nodes_by_name;  ///< sorted by node_ids; empty if these are
+    std::vector<TensionLaw> m_sag_laws;  ///< m; empty if no cable sags
+    std::vector<int> m_starts;           ///< of each node in the next two; one more at the end
+    std::vector<int> m_edges_at;         ///< node by node
+    std::vector<int> m_neighbours;       ///< the other end of each of these edges
+    std::vector<int> m_nodes_by_name;    ///< sorted by node_ids; empty if these are
     std::vector<int> m_edges_by_name;
     std::string m_fingerprint;
 };

@@ -22,16 +22,25 @@ struct TAUT_CORE_EXPORT TensionLaw {
     std::string name;         ///< for people and files; may be empty
     Eigen::VectorXd strain;   ///< k >= 2, ascending from 0 [-]
     Eigen::VectorXd tension;  ///< k, from 0 [N]
+    /// S = w l_0 / sqrt(24) of a cable that sags by a weight w across its chord: the arc is longer
+    /// than the chord by (S/T)^2 of it, so that T = EA (strain of the chord + S^2 / T^2), smooth
+    /// and positive at every strain; docs/theory.md, (sagging-law). Such a law has two points,
+    /// which give EA. 0: the edge is straight [N]
+    double sag = 0.0;
+    /// Whether the edge sags: it carries tension at every strain.
+    [[nodiscard]] bool sags() const { return sag > 0.0; }
 
     /// Value and slope of the law at a strain.
     struct Tangent {
-        double tension;  ///< [N]
-        double slope;    ///< dT/d strain; at a corner the slope beyond it [N]
+        double tension;          ///< [N]
+        double slope;            ///< dT/d strain; at a corner the slope beyond it [N]
+        double curvature = 0.0;  ///< d2T/d strain2, 0 but of a cable that sags [N]
     };
     [[nodiscard]] Tangent at(double strain_there) const;  ///< of the segment there
 
     /// The law blurred by an uncertain strain: the mean of the tension over N(strain, std^2), and
-    /// the slope of this mean with respect to the strain.
+    /// the slope of this mean with respect to the strain. That of a cable that sags is smooth, and
+    /// stays as it is.
     /// @param std 0 or less: as at()
     [[nodiscard]] Tangent blurred(double strain_there, double std) const;
     /// The variance over N(strain, std^2) of the difference between the law and the tangent
@@ -39,12 +48,15 @@ struct TAUT_CORE_EXPORT TensionLaw {
     /// @param std positive
     [[nodiscard]] double missed_by_blurred(double strain_there, double std) const;
 
-    /// The least strain with this tension.
+    /// The least strain with this tension; of a cable that sags -1/2 at least.
     [[nodiscard]] double strain_at(double tension_there) const;
 
     /// The least and the greatest strain with this tension, to a millionth of it. They differ if
     /// the law is flat there.
     [[nodiscard]] std::pair<double, double> strains_at(double tension_there) const;
+
+    /// The law of an edge whose axial stiffness is this factor times as large. Its sag stays.
+    [[nodiscard]] TensionLaw stiffened(double factor) const;
 
     /// The greatest slope [N].
     [[nodiscard]] double steepest() const;
@@ -53,7 +65,8 @@ struct TAUT_CORE_EXPORT TensionLaw {
     /// also if a and b almost agree [N].
     [[nodiscard]] double energy_between(double a, double b) const;
 
-    /// What the corners between the strains a and b subtract from the trapezoid under the law [N].
+    /// What the corners, or the curve of a sagging cable, between the strains a and b subtract from
+    /// the trapezoid under the law [N].
     [[nodiscard]] double corner_energy(double a, double b) const;
 
 private:

@@ -28,13 +28,14 @@ struct TAUT_CORE_EXPORT UncertainParameter {
                          ///< of tensions found from frequencies and sags
         test_loads,      ///< one relative error of the known loads of a survey, Epoch::loads
         support_stiffness,  ///< logarithm of one factor of the stiffness of all elastic supports
+        creep,              ///< strain that edges gain in common from one survey to the next
     };
     Kind kind = Kind::stiffness;  ///< what the numbers are
     double std = 0.0;             ///< standard deviation, in the unit of the kind
     std::string group;            ///< of edges, of the net; empty: all
 
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads", "forces",
-    /// "mass", "test-loads", "support-stiffness".
+    /// "mass", "test-loads", "support-stiffness", "creep".
     [[nodiscard]] std::string_view name() const;
     /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
     [[nodiscard]] std::string to_string() const;
@@ -49,7 +50,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 
 /// "stiffness:5%", "stiffness:5%@GROUP", "stiffness-each:3%", "temperature:10K", "supports:1mm",
 /// "adjustable:0.5mm", "loads:20N", "loads:10%", "forces:1%", "mass:3%",
-/// "test-loads:1%", "support-stiffness:10%".
+/// "test-loads:1%", "support-stiffness:10%", "creep:0.01%@GROUP".
 /// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
 ///   a relative one of 30 % or more, and a group where the kind has none
 [[nodiscard]] TAUT_CORE_EXPORT UncertainParameter parse_uncertain_parameter(std::string_view text);
@@ -66,21 +67,21 @@ TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
 /// What is known of forces.
 struct KnownForces {
     bool by_cells = false;  ///< load cells or tension meters
-    bool by_mass = false;   ///< frequencies or sags, which need the mass of a cable
     bool by_loads = false;  ///< known loads of a survey
 };
 
 /// Adds the default assumptions for a site: stiffness 5 % in common and 2 % of each edge; 5 K where
 /// edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm. Lengths and places at
-/// most a tenth of the shortest edge concerned. Stiffness of elastic supports 10 %. Of forces,
-/// where measured: 1 % in common of load cells; where tensions follow from frequencies or sags, 3 %
-/// of the mass; of known loads that hung on the net at one survey, 2 %.
+/// most a tenth of the shortest edge concerned. Stiffness of elastic supports 10 %. The mass, and
+/// with it the self-weight, 3 % where edges have one. Of forces, where measured: 1 % in common of
+/// load cells; of known loads that hung on the net at one survey, 2 %.
 /// @param given takes precedence: nothing is assumed of a parameter with a name in it
 /// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(
     const CableNet& net, std::vector<UncertainParameter> given, KnownForces forces = {});
 
-/// The edges that a stiffness or temperature applies to, ascending: those of its group, or all.
+/// The edges that a stiffness, temperature or creep applies to, ascending: those of its group, or
+/// all.
 /// @throws std::out_of_range for a group that the net does not have
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_of(const CableNet& net,
                                                          const UncertainParameter& parameter);

@@ -15,7 +15,7 @@ namespace taut {
 /// The gradient of a function of the equilibrium form by what a net is made of.
 struct NetGradient {
     Eigen::VectorXd unstressed_lengths;  ///< m
-    Eigen::VectorXd axial_stiffness;     ///< m; 0 for an edge with a tension law
+    Eigen::VectorXd axial_stiffness;     ///< m; 0 for an edge with a piecewise linear law
     Points loads;                        ///< 3 x n; 0 at supports
     /// 3 x n, places of supports, of elastic ones their place without load; 0 at other nodes
     Points nodes;
