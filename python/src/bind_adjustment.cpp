@@ -48,32 +48,35 @@ class TargetLike : public nb::object {
 /// Least and most, either of which may be left out; of all edges, or by group.
 class RangeLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
-    NB_OBJECT(RangeLike, nb::object,
-              "tuple[float | None, float | None] | dict[str | None, tuple[float | None, float | "
-              "None]]",
-              is_any)
+    NB_OBJECT(
+        RangeLike, nb::object,
+        "tuple[float | str | None, float | str | None] | dict[str | None, tuple[float | str | "
+        "None, float | str | None]]",
+        is_any)
 };
 
 /// The longest stroke, or the shortest and longest by edge.
 class StrokeLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
-    NB_OBJECT(StrokeLike, nb::object, "float | dict[int, tuple[float, float]]", is_any)
+    NB_OBJECT(StrokeLike, nb::object, "float | str | dict[int, tuple[float | str, float | str]]",
+              is_any)
 };
 
 /// A force of all supports, or by group.
 class ForceLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
-    NB_OBJECT(ForceLike, nb::object, "float | dict[str | None, float]", is_any)
+    NB_OBJECT(ForceLike, nb::object, "float | str | dict[str | None, float | str]", is_any)
 };
 
 /// A tension, or tension and tolerance, of all edges, or by group or edge; or a tension of each
 /// edge.
 class TensionLike : public nb::object {
     static bool is_any(nb::handle) { return true; }
-    NB_OBJECT(TensionLike, nb::object,
-              "float | tuple[float, float] | numpy.typing.NDArray | dict[str | int | None, float | "
-              "tuple[float, float]]",
-              is_any)
+    NB_OBJECT(
+        TensionLike, nb::object,
+        "float | str | tuple[float | str, float | str] | numpy.typing.NDArray | dict[str | int "
+        "| None, float | str | tuple[float | str, float | str]]",
+        is_any)
 };
 
 /// Arrays by their names.
@@ -105,16 +108,6 @@ const Plan& plan_of(const Planned& planned) {
     return planned.turns.plan;
 }
 
-template <class T>
-T of_type(nb::handle value, const char* name, const char* expected) {
-    try {
-        return nb::cast<T>(value);
-    } catch (const nb::cast_error&) {
-        const auto type = nb::cast<std::string>(nb::str(value.type().attr("__name__")));
-        throw nb::type_error(fmt::format("{}: got {}, expected {}", name, type, expected).c_str());
-    }
-}
-
 /// Calls `take` with the group and each value of a dict, or with no group and the one value.
 template <class Value, class Take>
 void for_each_group(nb::handle given, const char* name, const char* expected, Take take) {
@@ -128,15 +121,20 @@ void for_each_group(nb::handle given, const char* name, const char* expected, Ta
     }
 }
 
-using Range = std::pair<std::optional<double>, std::optional<double>>;
+using Pair = std::pair<nb::object, nb::object>;
+using Range = std::pair<std::optional<nb::object>, std::optional<nb::object>>;
 
 void add_tension(PlanRequest& request, const std::optional<RangeLike>& given, const char* name,
                  bool is_part) {
     if (!given) {
         return;
     }
-    const auto bound = [&](const std::optional<double>& value) {
-        return value ? std::optional(TensionBound{.value = *value, .is_part = is_part})
+    const auto bound = [&](const std::optional<nb::object>& value) {
+        const auto number = [&] {
+            return is_part ? of_type<double>(*value, name, "a part from 0 to 1")
+                           : force_given(*value, name);
+        };
+        return value ? std::optional(TensionBound{.value = number(), .is_part = is_part})
                      : std::nullopt;
     };
     for_each_group<Range>(*given, name, "(least, most), either of which may be None",
@@ -158,15 +156,16 @@ void add_strokes(PlanRequest& request, const std::optional<StrokeLike>& given) {
         return;
     }
     if (!nb::isinstance<nb::dict>(*given)) {
-        request.stroke = of_type<double>(*given, "stroke", "a length, or a dict of edges");
+        request.stroke =
+            quantity_given(*given, "stroke", parse_length, "a length, or a dict of edges");
         return;
     }
     for (const auto& [edge, range] : nb::borrow<nb::dict>(*given)) {
         const auto [shortest, longest] =
-            of_type<std::pair<double, double>>(range, "stroke", "(shortest, longest) of each edge");
+            of_type<Pair>(range, "stroke", "(shortest, longest) of each edge");
         request.stroke_ranges.push_back({.edge = of_type<int>(edge, "stroke", "indices of edges"),
-                                         .shortest = shortest,
-                                         .longest = longest});
+                                         .shortest = length_given(shortest, "stroke"),
+                                         .longest = length_given(longest, "stroke")});
     }
     if (request.stroke_ranges.empty()) {
         throw nb::value_error("stroke: names no edge, expected those that may be turned");
@@ -177,11 +176,12 @@ void add_strokes(PlanRequest& request, const std::optional<StrokeLike>& given) {
 GivenTension tension_argument(nb::handle value) {
     const char* const name = "target_tension";
     if (!nb::isinstance<nb::tuple>(value)) {
-        return {.tension = of_type<double>(value, name, "tensions, or (tension, tolerance)")};
+        return {.tension =
+                    quantity_given(value, name, parse_force, "tensions, or (tension, tolerance)")};
     }
-    const auto [tension, tolerance] =
-        of_type<std::pair<double, double>>(value, name, "(tension, tolerance)");
-    return {.tension = tension, .tolerance = {.value = tolerance}};
+    const auto [tension, tolerance] = of_type<Pair>(value, name, "(tension, tolerance)");
+    return {.tension = force_given(tension, name),
+            .tolerance = {.value = force_given(tolerance, name)}};
 }
 
 void add_target_tensions(PlanRequest& request, const CableNet& net, nb::handle given) {
@@ -291,31 +291,32 @@ PlannedTurns plan_on(const CableNet& net, const BuiltNet& built, const FormTarge
 
 Planned planned(const Identified& identified, const std::optional<TargetLike>& target,
                 const std::optional<StrokeLike>& stroke, const std::optional<RangeLike>& tension,
-                const std::optional<ArrayLike>& edges, const std::optional<double>& turn,
-                const std::optional<double>& step, const std::optional<double>& tolerance,
-                double confidence, double actuator_std, int crews,
+                const std::optional<ArrayLike>& edges, const std::optional<QuantityLike>& turn,
+                const std::optional<double>& step, const std::optional<QuantityLike>& tolerance,
+                double confidence, const QuantityLike& actuator_std, int crews,
                 const std::optional<std::string>& thread, int suggest_adjustable,
-                const std::optional<double>& suggest_targets, bool accept_failed,
-                const std::optional<double>& total_stroke,
+                const std::optional<QuantityLike>& suggest_targets, bool accept_failed,
+                const std::optional<QuantityLike>& total_stroke,
                 const std::optional<RangeLike>& tension_part,
                 const std::optional<ForceLike>& reaction,
                 const std::optional<ArraysByName>& load_cases, const std::string& target_unit,
                 const std::optional<std::pair<ArrayLike, ArrayLike>>& weights,
                 const std::string& objective, const std::optional<TensionLike>& target_tension,
-                const std::optional<double>& form_tolerance,
+                const std::optional<QuantityLike>& form_tolerance,
                 const std::vector<std::pair<std::string, double>>& stages, std::uint64_t seed,
                 const nb::object& progress) {
     const CableNet& net = identified.net;
-    PlanRequest request{.options = {.confidence = confidence,
-                                    .actuator_std = actuator_std,
-                                    .tolerance = tolerance,
-                                    .survey_noise = suggest_targets,
-                                    .seed = seed,
-                                    .accept_failed = accept_failed,
-                                    .form_tolerance = form_tolerance},
-                        .total_stroke = total_stroke,
-                        .crews = crews,
-                        .suggest_adjustable = suggest_adjustable};
+    PlanRequest request{
+        .options = {.confidence = confidence,
+                    .actuator_std = length_given(actuator_std, "actuator_std"),
+                    .tolerance = length_given(tolerance, "tolerance"),
+                    .survey_noise = length_given(suggest_targets, "suggest_targets"),
+                    .seed = seed,
+                    .accept_failed = accept_failed,
+                    .form_tolerance = length_given(form_tolerance, "form_tolerance")},
+        .total_stroke = length_given(total_stroke, "total_stroke"),
+        .crews = crews,
+        .suggest_adjustable = suggest_adjustable};
     if (edges) {
         request.options.edges = indices_argument(*edges, "edges");
         if (request.options.edges.empty()) {
@@ -326,7 +327,8 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
         request.stages.push_back({.group = group, .part = part});
     }
     if (turn) {
-        request.options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
+        request.options.turn =
+            TurnSize{.pitch = length_given(*turn, "turn"), .smallest = step.value_or(0.0)};
     } else if (step) {
         throw nb::value_error("step: is a part of a turn, and turn is not given");
     }
@@ -340,9 +342,11 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
     add_tension(request, tension, "tension", false);
     add_tension(request, tension_part, "tension_part", true);
     if (reaction) {
-        for_each_group<double>(
-            *reaction, "reaction", "a force", [&](std::optional<std::string> group, double upper) {
-                request.reaction.push_back({.upper = upper, .group = std::move(group)});
+        for_each_group<nb::object>(
+            *reaction, "reaction", "a force",
+            [&](std::optional<std::string> group, const nb::object& upper) {
+                request.reaction.push_back(
+                    {.upper = force_given(upper, "reaction"), .group = std::move(group)});
             });
     }
     if (load_cases) {
@@ -543,6 +547,8 @@ void bind_adjustment(nb::module_& module) {
                nb::arg("stages") = std::vector<std::pair<std::string, double>>(),
                nb::arg("seed") = PlanOptions().seed, nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
+
+Lengths and forces are numbers in SI units, or text with a unit: 0.015, "15mm".
 
 Args:
     identification: of identify(), with its posterior samples.

@@ -449,14 +449,15 @@ void bind_identification(nb::module_& module) {
            const std::vector<std::string>& uncertain, const std::optional<std::int64_t>& draws,
            const std::optional<ArrayLike>& covariance_of, bool estimate_noise, bool prior_exact,
            const std::vector<LaterSurvey>& epochs, const Frequencies& frequencies,
-           double free_length_std, const Sags& sag, std::uint64_t seed,
+           const QuantityLike& free_length_std, const Sags& sag, std::uint64_t seed,
            const nb::object& progress) {
             const std::int64_t count = draws.value_or(default_draws(net));
             check_draws(net, count);
             IdentifyOptions options{
                 .prior = prior_given(prior),
                 .prior_exact = prior_exact,
-                .forces = forces_given(net, survey, forces, frequencies, free_length_std, sag,
+                .forces = forces_given(net, survey, forces, frequencies,
+                                       length_given(free_length_std, "free_length_std"), sag,
                                        taut_edges, slack_edges),
                 .uncertain = uncertain_given(net, uncertain),
                 .assume_site = assumes_site(uncertain),

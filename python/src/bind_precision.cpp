@@ -112,8 +112,10 @@ void bind_predicted_precision(nb::module_& module) {
         });
     module.def(
         "inspect",
-        [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
-           const std::string& prior, const std::vector<std::string>& uncertain) {
+        [](const CableNet& net, const std::optional<ArrayLike>& targets,
+           const QuantityLike& given_noise, const std::string& prior,
+           const std::vector<std::string>& uncertain) {
+            const double noise = length_given(given_noise, "noise");
             const Survey survey = planned_survey(net, targets, noise);
             return without_lock([&] {
                 const std::vector<UncertainParameter> given = uncertain_given(net, uncertain);
@@ -168,16 +170,20 @@ void bind_suggestions(nb::module_& module) {
         });
     module.def(
         "suggest_measurements",
-        [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
-           const std::string& prior, const std::vector<std::string>& uncertain,
-           const std::string& quantity, const std::map<std::string, double>& costs, double load,
-           double frequency_noise, double free_length_std, int count) {
+        [](const CableNet& net, const std::optional<ArrayLike>& targets,
+           const QuantityLike& given_noise, const std::string& prior,
+           const std::vector<std::string>& uncertain, const std::string& quantity,
+           const std::map<std::string, double>& costs, const QuantityLike& load,
+           double frequency_noise, const QuantityLike& free_length_std, int count) {
+            const double noise = length_given(given_noise, "noise");
             const Survey survey = planned_survey(net, targets, noise);
+            const double hung = force_given(load, "load");
+            const double free_std = length_given(free_length_std, "free_length_std");
             return without_lock([&] {
                 SuggestOptions options{.quantity = parse_sought_quantity(quantity),
-                                       .load = load,
+                                       .load = hung,
                                        .frequency_std = frequency_noise,
-                                       .free_length_std = free_length_std,
+                                       .free_length_std = free_std,
                                        .most = count,
                                        .assume_site = assumes_site(uncertain) && noise > 0.0};
                 for (const auto& [kind, cost] : costs) {

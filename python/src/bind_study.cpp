@@ -27,19 +27,19 @@ namespace taut::python {
 
 namespace {
 
-nb::object controlled(const CableNet& net, double stroke,
-                      const std::optional<std::pair<double, double>>& tension,
-                      const std::optional<double>& turn, const std::optional<double>& step,
-                      double noise, double hidden_part, double actuator_std, double confidence,
-                      const std::string& prior, const std::vector<std::string>& uncertain,
-                      int draws, int rounds, int trials, std::uint64_t seed,
-                      const nb::object& progress) {
+nb::object controlled(const CableNet& net, const QuantityLike& stroke,
+                      const std::optional<std::pair<QuantityLike, QuantityLike>>& tension,
+                      const std::optional<QuantityLike>& turn, const std::optional<double>& step,
+                      const QuantityLike& noise, double hidden_part,
+                      const QuantityLike& actuator_std, double confidence, const std::string& prior,
+                      const std::vector<std::string>& uncertain, int draws, int rounds, int trials,
+                      std::uint64_t seed, const nb::object& progress) {
     ControlSettings settings{.prior = parse_length_prior(prior),
                              .uncertain = uncertain_given(net, uncertain),
-                             .noise_std = noise,
+                             .noise_std = length_given(noise, "noise"),
                              .hidden_part = hidden_part,
-                             .actuator_std = actuator_std,
-                             .stroke = stroke,
+                             .actuator_std = length_given(actuator_std, "actuator_std"),
+                             .stroke = length_given(stroke, "stroke"),
                              .confidence = confidence,
                              .draws = draws,
                              .rounds = rounds,
@@ -49,11 +49,13 @@ nb::object controlled(const CableNet& net, double stroke,
         settings.uncertain = with_site_assumptions(net, settings.uncertain);
     }
     if (tension) {
-        settings.least_tension = tension->first;
-        settings.most_tension = std::isinf(tension->second) ? 0.0 : tension->second;
+        const double most = force_given(tension->second, "tension");
+        settings.least_tension = force_given(tension->first, "tension");
+        settings.most_tension = std::isinf(most) ? 0.0 : most;
     }
     if (turn) {
-        settings.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
+        settings.turn =
+            TurnSize{.pitch = length_given(*turn, "turn"), .smallest = step.value_or(0.0)};
     } else if (step) {
         throw nb::value_error("step: is a part of a turn, and turn is not given");
     }
@@ -102,10 +104,14 @@ Raises:
     ValueError: for settings out of range.)");
     module.def(
         "compare",
-        [](const CableNet& net, const std::vector<double>& noises,
+        [](const CableNet& net, const std::vector<QuantityLike>& given_noises,
            const std::vector<int>& training_samples, const std::vector<double>& hidden_parts,
            int surveys, const std::string& prior, const std::vector<std::string>& uncertain,
            std::uint64_t seed, const nb::object& progress) {
+            std::vector<double> noises;
+            for (const QuantityLike& noise : given_noises) {
+                noises.push_back(length_given(noise, "noises"));
+            }
             const ComparisonSettings settings{.noises = noises,
                                               .training_samples = training_samples,
                                               .hidden_parts = hidden_parts,

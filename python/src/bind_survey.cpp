@@ -16,6 +16,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "dicts.hpp"
+#include "given.hpp"
 #include "states.hpp"
 #include "taut/files/table_file.hpp"
 #include "taut/io/polar_csv.hpp"
@@ -234,12 +235,15 @@ void bind_survey(nb::module_& module) {
         },
         nb::arg("net"), nb::arg("positions"), nb::arg("ids").none(), nb::arg("stds").none(),
         nb::arg("in_metres"), nb::arg("noise").none(), nb::arg("given"));
+    module.def("_length_given", [](const QuantityLike& given, const std::string& name) {
+        return length_given(given, name.c_str());
+    });
     module.def(
         "simulate_survey",
-        [](const CableNet& net, const ArrayLike& form, double noise, double hidden_part,
-           bool shuffled, bool random_frame, std::uint64_t seed) {
+        [](const CableNet& net, const ArrayLike& form, const QuantityLike& noise,
+           double hidden_part, bool shuffled, bool random_frame, std::uint64_t seed) {
             return columns_of(simulate_survey(net, points_argument(form, "form", net.node_count()),
-                                              {.noise_std = noise,
+                                              {.noise_std = length_given(noise, "noise"),
                                                .dropped_part = hidden_part,
                                                .shuffled = shuffled,
                                                .random_frame = random_frame,

@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import difflib
 import functools
+import inspect
 import re
 import warnings
 
@@ -57,6 +58,31 @@ def _arguments(function) -> tuple[ast.arguments, dict[str, ast.expr]]:
     arguments = ast.parse(f"{head}: ...").body[0].args
     arguments.args = [one for one in arguments.args if one.arg != "self"]
     return arguments, {one.arg: one.annotation for one in arguments.args + arguments.kwonlyargs}
+
+
+def signature_of(function) -> inspect.Signature:
+    """What inspect.signature() says of a function of nanobind."""
+    head, _, defaults = function.__nb_signature__[0]
+    arguments, annotations = _arguments(function)
+    given = iter(defaults or ())
+    kinds = inspect.Parameter
+    first = arguments.args
+    optional = len(arguments.defaults)
+    of_first = [None] * (len(first) - optional) + arguments.defaults
+    parameters = [
+        kinds(
+            one.arg,
+            kind,
+            default=kinds.empty if default is None else next(given),
+            annotation=ast.unparse(annotations[one.arg]),
+        )
+        for ones, of_ones, kind in (
+            (first, of_first, kinds.POSITIONAL_OR_KEYWORD),
+            (arguments.kwonlyargs, arguments.kw_defaults, kinds.KEYWORD_ONLY),
+        )
+        for one, default in zip(ones, of_ones)  # noqa: B905 - ast has them of one length
+    ]
+    return inspect.Signature(parameters, return_annotation=head.rpartition(" -> ")[2])
 
 
 def misfit(function, args, kwargs) -> str:
@@ -118,5 +144,6 @@ def naming_arguments(function, name=None):
             raise TypeError(f"{call.__name__}: {wrong}") from None
 
     call.__module__ = "taut"
+    call.__signature__ = signature_of(function)
     call.__name__ = call.__qualname__ = name or function.__name__
     return call

@@ -74,7 +74,9 @@ def _noise(noise, count):
     """One number for all, or one of each coordinate (count, 3): the number, the array."""
     if noise is None:
         return None, None
-    if isinstance(noise, (str, bytes)):
+    if isinstance(noise, str):
+        return _taut._length_given(noise, "noise"), None
+    if isinstance(noise, bytes):
         raise TypeError(f"noise: got {noise!r}, expected a number of metres")
     if np.ndim(noise) == 0:
         return float(noise), None
@@ -97,7 +99,7 @@ def read_survey(
     source: str | os.PathLike[str] | ArrayLike | Mapping[str, ArrayLike],
     *,
     ids: Iterable[object] | None = None,
-    noise: ArrayLike | None = None,
+    noise: ArrayLike | str | None = None,
     frame: str = "auto",
     control: str | os.PathLike[str] | None = None,
     unit: str | None = None,
@@ -121,8 +123,8 @@ def read_survey(
             where there are any, id, sx, sy, sz, as a pandas.DataFrame or a mapping of arrays [m].
         ids: names of the points of an array (k,), those of the net's nodes; without, each point
             belongs to the nearest node.
-        noise: standard deviation of each coordinate, one number, or of points (3,) or (k, 3), where
-            the source has none [m], whatever the unit of the coordinates.
+        noise: standard deviation of each coordinate, one number, '0.5mm', or of points (3,) or
+            (k, 3), where the source has none [m], whatever the unit of the coordinates.
         frame: 'net', 'supports' (fitted to those that are named), or 'auto'.
         control: path of control points id, x, y, z in the net's frame, to fit the frame to.
         unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points by default 'm'.

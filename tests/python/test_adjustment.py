@@ -62,6 +62,26 @@ def test_whole_steps_crews_and_files(found, tmp_path):
     assert (tmp_path / "turns.csv").read_text() == plan.to_csv()
 
 
+def test_quantities_may_be_text_with_a_unit(found):
+    numbers = taut.plan(
+        found, stroke=0.012, tension=(1000.0, None), turn=0.005, actuator_std=2e-4,
+        reaction=30e3, total_stroke=0.03,
+    )  # fmt: skip
+    texts = taut.plan(
+        found, stroke="12mm", tension=("1kN", None), turn="5mm", actuator_std="0.2 mm",
+        reaction="30kN", total_stroke="3cm",
+    )  # fmt: skip
+    assert texts.to_json() == numbers.to_json()
+    for settings, words in [
+        ({"stroke": "12kN"}, "stroke: '12kN'"),
+        ({"tension": ("1mm", None)}, "tension: '1mm'"),
+        ({"turn": "fast"}, "turn: 'fast'"),
+        ({"stroke": {0: ("-1mm", "1kN")}}, "stroke: '1kN'"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            taut.plan(found, **settings)
+
+
 def test_edges_come_in_any_order(found):
     edges = found.net.adjustable_edges
     assert np.array_equal(taut.plan(found, edges=edges[::-1]).strokes, taut.plan(found).strokes)

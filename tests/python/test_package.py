@@ -4,6 +4,7 @@
 
 import contextlib
 import gc
+import inspect
 import os
 import re
 import shutil
@@ -77,7 +78,7 @@ def test_a_type_checker_takes_the_stubs_and_finds_a_wrong_argument(tmp_path):
     program.write_text(
         "import taut\n"
         "net: taut.CableNet = taut.hypar(3, 3)\n"
-        "survey = taut.read_survey(net, net.nodes, noise=1e-3)\n"
+        "survey = taut.read_survey(net, net.nodes, noise='1mm')\n"
         "found: taut.Identification = taut.identify(net, survey)\n"
         "lengths: float = found.length_deviation.max()\n"
         "plan: taut.Plan = taut.plan(net)\n"
@@ -88,6 +89,23 @@ def test_a_type_checker_takes_the_stubs_and_finds_a_wrong_argument(tmp_path):
         said = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
         errors = [line for line in said.stdout.splitlines() if ": error:" in line]
         assert [line.split(": error:")[0] for line in errors] == expected, said.stdout
+
+
+def test_signatures_of_all_functions_can_be_inspected():
+    functions = [
+        getattr(taut, name)
+        for name in taut.__all__
+        if callable(getattr(taut, name)) and not inspect.isclass(getattr(taut, name))
+    ]
+    assert len(functions) > 20
+    for function in functions:
+        inspect.signature(function)
+    of_inspect = inspect.signature(taut.inspect)
+    assert list(of_inspect.parameters) == ["net", "targets", "noise", "prior", "uncertain"]
+    assert of_inspect.parameters["noise"].default == 0.5e-3
+    assert of_inspect.parameters["noise"].annotation == "float | str"
+    assert of_inspect.parameters["net"].default is inspect.Parameter.empty
+    assert of_inspect.return_annotation.endswith("PredictedPrecision")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")

@@ -94,7 +94,7 @@ masked = np.ma.masked_array(three[0], mask=True)
         (three, {"ids": 3}, TypeError, "ids: got int"),
         (three, {"ids": "abc"}, TypeError, "ids: got str"),
         (three, {"noise": [[1, 1, 1], [1, 0, 1], [1, 1, 1]]}, ValueError, "points:2: gives no"),
-        (three, {"noise": "1mm"}, TypeError, "noise: got '1mm', expected a number"),
+        (three, {"noise": "1kN"}, ValueError, "noise: '1kN'"),
         (two, {"noise": np.nan}, ValueError, "nan"),
         (two, {"frame": "mine"}, ValueError, "frame: got 'mine'"),
         (two, {"unit": "ell"}, ValueError, "unit: got 'ell'"),
