@@ -117,17 +117,22 @@ class Row:
         return f"{verdicts} | {reasons} | {self.lengths} | {self.tensions}, {worst} | {self.means} | {self.springs}"
 
 
-def in_a_frame(form, random):
-    """The form in a coordinate system of the survey that is off by 5 mm and 2 mrad about each axis."""
+def in_a_frame(form, random, is_levelled=False):
+    """The form in a coordinate system of the survey that is off by 5 mm and 2 mrad about each axis, or about z alone."""
     turn = np.zeros((3, 3))
     turn[[2, 0, 1], [1, 2, 0]] = 2e-3 * random.normal(size=3)
-    return form + (form - form.mean(axis=0)) @ (turn - turn.T).T + 5e-3 * random.normal(size=3)
+    if is_levelled:
+        turn[[2, 0], [1, 2]] = 0
+    half = 0.5 * (turn - turn.T)
+    rotation = np.linalg.solve(np.eye(3) - half, np.eye(3) + half)  # A. Cayley's: of the same angles, and rigid
+    middle = form.mean(axis=0)
+    return middle + (form - middle) @ rotation.T + 5e-3 * random.normal(size=3)
 
 
-def write_survey(net, form, noise, random):
+def write_survey(net, form, noise, random, is_levelled=False):
     """Nine of ten free nodes, in a coordinate system of their own, with noise."""
     seen = net.free[random.random(len(net.free)) >= 0.1]
-    places = in_a_frame(form, random) + quantity(noise) * random.normal(size=form.shape)
+    places = in_a_frame(form, random, is_levelled) + quantity(noise) * random.normal(size=form.shape)
     lines = [f"{node}," + ",".join(map(repr, map(float, places[node]))) + "\n" for node in seen]
     (net.folder / "survey.csv").write_text("".join(lines))
 

@@ -181,7 +181,8 @@ void print_uncertain(const CableNet& net, const Identification& result) {
         const auto text = [&](double value) { return in_unit(parameter.kind, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            say("{}: {} from the design, std {}{}\n", parameter.to_string(), text(first->mean),
+            say("{}: {} from the {}, std {}{}\n", parameter.to_string(), text(first->mean),
+                parameter.kind == UncertainParameter::Kind::creep ? "first survey" : "design",
                 text(first->std).substr(1),
                 first->is_observed() ? "" : " (not shown by the survey)");
         } else {
@@ -213,7 +214,9 @@ std::string exact_parameters(const CableNet& net, const Identification& result) 
     if (!is_uncertain(Kind::stiffness)) {
         given.emplace_back("stiffness");
     }
-    if (!is_uncertain(Kind::loads, Kind::loads_each)) {
+    const bool has_own_weight_alone = net.data().loads.isZero(0.0);
+    if (!is_uncertain(Kind::loads, Kind::loads_each) &&
+        !(has_own_weight_alone && is_uncertain(Kind::mass))) {
         given.emplace_back("loads");
     }
     if (!is_uncertain(Kind::supports)) {

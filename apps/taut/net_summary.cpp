@@ -14,7 +14,10 @@ namespace taut::app {
 std::string counts_text(const CableNet& net) {
     const size_t elastic = net.elastic_supports().size();
     const auto struts = std::ranges::count(net.data().kind, EdgeKind::strut);
-    const auto sagging = (net.data().sag_weight.array() > 0.0).count();
+    int sagging = 0;
+    for (int e = 0; net.sags() && e < net.edge_count(); ++e) {
+        sagging += net.can_be_slack(e) || net.is_strut(e) ? 0 : 1;
+    }
     const std::string kinds =
         (struts > 0 ? fmt::format(" ({} struts)", struts) : "") +
         (sagging > 0 ? fmt::format(" ({} with sag)", sagging) : std::string());

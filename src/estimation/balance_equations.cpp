@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/balance_equations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -87,8 +88,10 @@ std::pair<double, double> unstressed_lengths_from(const CableNet& net, int edge,
     }
     const double density =
         nominal_force_density(net, edge, length) + net.axial_stiffness()(edge) / nominal * y;
+    constexpr double loosest = -0.5;  // without tension a cable that sags has no length
     const auto [least, greatest] = law->strains_at(density * length);
-    return {length / (1.0 + greatest), length / (1.0 + least)};
+    return {length / (1.0 + std::max(loosest, greatest)),
+            length / (1.0 + std::max(loosest, least))};
 }
 
 std::vector<bool> BalanceEquations::undetermined() const {

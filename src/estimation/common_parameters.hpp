@@ -34,9 +34,10 @@ struct BoundaryReleases {
 };
 
 /// The parameters in the border of the matrix, in their standard deviations: common factors of the
-/// stiffness, temperatures, a factor of the loads and errors of force measurements; six of the
-/// survey's frame, as a small motion of all supports; three of each released support and one of
-/// each released adjustable edge. docs/theory.md, (common), (frame), (boundary).
+/// stiffness, temperatures, creep (thermal strains hold both), a factor of the loads and errors of
+/// force measurements; six of the survey's frame, as a small motion of all supports; three of each
+/// released support and one of each released adjustable edge. docs/theory.md, (common), (frame),
+/// (boundary).
 class CommonParameters {
 public:
     CommonParameters() = default;

@@ -71,11 +71,9 @@ LawBlur blur_by(const CableNet& net, double extension_std,
         result.missed = Eigen::VectorXd::Zero(net.interior_edge_count());
     }
     if (std_of(uncertain, UncertainParameter::Kind::stiffness_each) > 0.0) {
-        Eigen::VectorXd stretch = edge_lengths(net, net.nodes()) - net.unstressed_lengths();
-        for (int e = 0; e < net.edge_count(); ++e) {
-            stretch(e) = net.is_strut(e) ? std::abs(stretch(e)) : std::max(0.0, stretch(e));
-        }
-        result.stiffness = stretch.cwiseProduct(own_stiffness_stds(net, uncertain))
+        result.stiffness = elastic_stretches(net)
+                               .cwiseAbs()
+                               .cwiseProduct(own_stiffness_stds(net, uncertain))
                                .cwiseAbs2()(net.interior_edges());
     }
     return result;
@@ -94,8 +92,8 @@ LawBlur blur_found(const StaticsModel& model, const Covariance& covariance, cons
             found.stiffness(i) =
                 std::min(stiffness_as_length(model, e, fitted), most_variance * widest_prior);
         }
-        const TensionLaw* law = model.net().tension_law(e);
-        if (law == nullptr || law->sags() || model.slack[e]) {
+        const TensionLaw* law = model.net().bent_law(e);
+        if (law == nullptr || model.slack[e]) {
             continue;
         }
         const double unstressed = model.unstressed_length(e, fitted);

@@ -146,7 +146,7 @@ double slack_deviation(const LengthPrior& prior, double slack_from, RandomNumber
     return slack_from;
 }
 
-/// The form of a fit with every edge stretched at least as in the nominal form: a sagging edge does
+/// The form of a fit with every edge stretched at least as in the nominal form: a slack edge does
 /// not find its way back to tension.
 Iterate all_taut(const CableNet& net, const Iterate& fitted) {
     const Eigen::VectorXd stretch = edge_lengths(net, net.nodes()) - net.unstressed_lengths();
@@ -339,8 +339,8 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
                                   std::sqrt(of_stiffness(i));
             deviation -= length;
         }
-        const bool has_bent_law = !m_net.is_linear() && m_net.data().tension_law[edge] >= 0;
-        if (has_bent_law ? tensions(edge) > 0.0 : own_stiffness(edge) != 0.0 && !slack[edge]) {
+        if (m_net.bent_law(edge) != nullptr ? tensions(edge) > 0.0
+                                            : own_stiffness(edge) != 0.0 && !slack[edge]) {
             deviation = length_of_tension(edge, lengths(edge), tensions(edge), own_stiffness(edge),
                                           drawn.common) -
                         m_net.unstressed_lengths()(edge);

@@ -81,7 +81,7 @@ void StaticsModel::fix_tension_laws(const Iterate& iterate) {
     std::vector<FixedLaw> fixed(m_net->edge_count());
     const Eigen::VectorXd spans = edge_lengths(*m_net, iterate.form);
     for (int e = 0; e < m_net->edge_count(); ++e) {
-        if (const TensionLaw* law = m_net->tension_law(e); law != nullptr && !law->sags()) {
+        if (m_net->bent_law(e) != nullptr) {
             const double unstressed = unstressed_length(e, iterate);
             const double strain = stretch(spans(e) - unstressed, corner_width).value / unstressed;
             fixed[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
@@ -101,7 +101,8 @@ EdgeRates StaticsModel::rates(int edge, const Iterate& iterate) const {
     double tension = axial * e.value;
     double by_stiffness = tension;
     if (const TensionLaw* law = m_net->tension_law(edge); law != nullptr && law->sags()) {
-        const auto tangent = law->stiffened(stiffness).at(e.value / unstressed);
+        const auto tangent = sagging_tangent(stiffness * m_net->axial_stiffness()(edge), law->sag,
+                                             e.value / unstressed);
         by_stiffness = tangent.tension * tangent.slope / (axial * unstressed);  // (sagging-law)
         axial = tangent.slope / unstressed;
         tension = tangent.tension;

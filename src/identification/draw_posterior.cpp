@@ -46,7 +46,7 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
         // A small shift that all edges share is large for the mean tension.
         constexpr double largest_common_shift = 0.1;
         constexpr double largest_shift = 0.3;
-        if (net.is_linear() || drawn.is_refitted || deviations.cols() == 0) {
+        if ((net.is_linear() && !net.sags()) || drawn.is_refitted || deviations.cols() == 0) {
             return {};
         }
         const LengthShift shift = length_shift(deviations, result);

@@ -239,6 +239,15 @@ void EpochChain::fit(size_t k, const Given& given, const Progress& progress) {
     State& state = m_states[k];
     IdentifiedEpoch epoch = identify_one_epoch(state.net, *state.survey, given, m_common);
     state.found = std::move(epoch.identification);
+    const auto is_creep = [](const ParameterEstimate& one) {
+        return one.parameter.kind == UncertainParameter::Kind::creep;
+    };
+    if (k == 0) {
+        std::erase_if(state.found.uncertain, is_creep);
+    }
+    for (ParameterEstimate& one : state.found.uncertain) {  // by its step, as it was given
+        one.parameter.std /= is_creep(one) ? std::sqrt(static_cast<double>(k)) : 1.0;
+    }
     state.own = std::move(epoch.own);
 }
 

@@ -105,6 +105,14 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
         throw std::invalid_argument("nothing can be turned or hung on before the first survey");
     }
     static_cast<void>(reported_epoch(epochs));
+    check_uncertain_parameters(net, options.uncertain);
+    const double steps = std::sqrt(static_cast<double>(epochs.size()) - 1.0);
+    if (const double creep = std_of(options.uncertain, Kind::creep); creep * steps > most_creep) {
+        throw std::invalid_argument(
+            fmt::format("a creep of {:.3g} % strains edges by more than 1 % in {} surveys, "
+                        "expected less",
+                        1e2 * creep, epochs.size()));
+    }
     for (size_t k = 0; k < epochs.size(); ++k) {
         with_epoch(k, [&] { check_survey(net, epochs[k].survey); });
         check_turned(net, epochs[k].turned);

@@ -452,17 +452,6 @@ void check_model(const CableNet& net, const LengthModel& model,
     }
 }
 
-void check_has_no_creep(const std::vector<UncertainParameter>& uncertain) {
-    const auto creep =
-        std::ranges::find(uncertain, UncertainParameter::Kind::creep, &UncertainParameter::kind);
-    if (creep != uncertain.end()) {
-        throw std::invalid_argument(
-            fmt::format("the uncertain parameter '{}' is what edges gain from one survey to the "
-                        "next, expected a second survey",
-                        creep->to_string()));
-    }
-}
-
 KnownForces measured_by(const Forces& forces) {
     const auto by_cell = [](const ForceMeasurement& one) { return !one.is_by_mass(); };
     return {.by_cells = std::ranges::any_of(forces.measurements, by_cell)};
@@ -478,8 +467,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     const auto [method, reason] = choose_method(survey, options);
     check_survey_for(net, survey, method);
     check_forces(net, options.forces);
-    check_uncertain_parameters(net, options.uncertain);
-    check_has_no_creep(options.uncertain);
+    check_for_one_survey(net, options.uncertain);
     check_covariance_of(net, options.covariance_of);
     check_for_method(options, method);
     if (options.model != nullptr) {

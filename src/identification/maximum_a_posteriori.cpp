@@ -227,8 +227,8 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
     std::vector<Eigen::Index> result;
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
-        const bool is_close = fit_net.can_be_slack(edge) &&
-                              tensions(edge) < std::sqrt(std::max(0.0, variances(edge)));
+        const bool is_close =
+            !fit_net.is_strut(edge) && tensions(edge) < std::sqrt(std::max(0.0, variances(edge)));
         if (fitted.model().slack[edge] ||
             (is_close && !std::ranges::binary_search(net.adjustable_edges(), edge))) {
             result.push_back(i);

@@ -253,7 +253,7 @@ double spread_ratio(std::span<const ParameterEstimate> estimates) {
 }
 
 bool ParameterSpread::is_contradicted() const {
-    constexpr double false_alarm_rate = 1e-3;
+    constexpr double false_alarm_rate = 2.7e-3;
     constexpr double least = 1.5;
     const double numbers = std::max(1.0, shown);
     const boost::math::chi_squared_distribution<> by_chance(numbers);
@@ -271,7 +271,9 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
         result.push_back({.parameter = first->parameter,
                           .ratio = spread_ratio({first, last}),
                           .shown = static_cast<double>(last - first) * expected / given,
-                          .widening = first->prior_std / first->parameter.std});
+                          .widening = first->parameter.kind == Kind::creep
+                                          ? 1.0  // a walk: its steps are as wide as all of it
+                                          : first->prior_std / first->parameter.std});
         first = last;
     }
     return result;

@@ -36,7 +36,7 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
     prior.check();
     check_survey(net, survey);
     check_forces(net, forces);
-    check_uncertain_parameters(net, uncertain);
+    check_for_one_survey(net, uncertain);
     if (survey.is_exact()) {
         require_whole(net, survey, "all, or their noise (standard deviations)");
     }

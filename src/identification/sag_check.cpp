@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "taut/statics/tensions.hpp"
-
 namespace taut {
 namespace {
 
@@ -23,75 +21,91 @@ struct SagError {
     int edge;
     double error;  ///< [m]
     double share;  ///< of the standard deviation of the edge's length
-    bool is_modelled;
 };
 
-std::vector<SagError> sag_errors(const CableNet& net, const Identification& result) {
+/// The errors that matter, the worst first.
+/// @param is_modelled of cables that sag in the net, else of those taken as straight
+std::vector<SagError> sag_errors(const CableNet& net, const Identification& result,
+                                 bool is_modelled) {
     constexpr double least_share = 0.25;
-    constexpr double next_term = 2.4;  // of the arc of a parabola: 8/3 f^2 - 32/5 f^4
     const CableNetData& data = net.data();
     std::vector<SagError> errors;
-    if ((data.mass.size() == 0 && !net.sags()) || result.tensions.size() == 0) {
-        return errors;
-    }
-    const Eigen::VectorXd by_mass =
-        data.mass.size() > 0 ? sag_weights_by_mass(data) : Eigen::VectorXd::Zero(net.edge_count());
-    const Eigen::VectorXd lengths = edge_lengths(net, result.predicted.form);
     for (const IdentifiedEdge& edge : result.edges) {
         const int e = edge.edge;
         const double tension = result.tensions(e);
-        if (net.is_strut(e) || !(tension > 0.0) || !(edge.std > 0.0)) {
+        const bool sags = !net.is_strut(e) && !net.can_be_slack(e);
+        if (net.is_strut(e) || sags != is_modelled || !(tension > 0.0) || !(edge.std > 0.0)) {
             continue;
         }
-        const bool is_modelled = !net.can_be_slack(e);
-        const double weight = (is_modelled ? data.sag_weight(e) : by_mass(e)) * lengths(e);
-        const double longer = lengths(e) * std::pow(weight / tension, 2) / 24.0;
-        const double depth = weight / (8.0 * tension);  // of the chord
-        const double error = is_modelled ? longer * next_term * depth * depth : longer;
+        const auto [s, t] = net.edges()[e];
+        const Eigen::Vector3d chord = result.predicted.form.col(s) - result.predicted.form.col(t);
+        const double length = chord.norm();
+        const double across = chord.head<2>().norm() / length;  // cosine of the slope
+        const double weight =
+            length * (is_modelled ? data.sag_weight(e) : gravity * data.mass(e) * across);
+        const double longer = length * std::pow(weight / tension, 2) / 24.0;
+        const double depth = weight / (8.0 * tension);                               // f
+        const double next = std::abs(7.2 - 12.8 * (1.0 / (across * across) - 1.0));  // (sag-error)
+        const double error = is_modelled ? longer * next * depth * depth : longer;
         if (error > least_share * edge.std) {
-            errors.push_back({e, error, error / edge.std, is_modelled});
+            errors.push_back({.edge = e, .error = error, .share = error / edge.std});
         }
     }
     std::ranges::stable_sort(errors, std::greater{}, &SagError::share);
     return errors;
 }
 
-}  // namespace
-
-std::optional<Trust::Finding> sag_finding(const CableNet& net, const Identification& result) {
+Trust::Finding finding_of(const CableNet& net, const std::vector<SagError>& errors,
+                          bool is_modelled) {
     constexpr size_t shown = 6;
-    const std::vector<SagError> errors = sag_errors(net, result);
-    if (errors.empty()) {
-        return std::nullopt;
-    }
     const SagError& worst = errors.front();
     Trust::Finding finding{.kind = Trust::Finding::Kind::sag,
                            .severity = worst.share > 1.0 ? Verdict::doubtful : Verdict::passed,
                            .value = worst.error};
+    bool may_all_sag = true;
     for (const SagError& one : errors) {
         finding.ids.push_back(net.edge_id(one.edge));
+        may_all_sag = may_all_sag && net.bent_law(one.edge) == nullptr;
     }
-    const std::vector<std::string> names(
-        finding.ids.begin(),
-        finding.ids.begin() + static_cast<std::ptrdiff_t>(std::min(shown, finding.ids.size())));
-    const std::string edges = fmt::format(
-        "{} {}{}", errors.size() == 1 ? "edge" : "edges", fmt::join(names, ", "),
-        errors.size() > shown ? fmt::format(" and {} more", errors.size() - shown) : "");
+    const auto named = static_cast<std::ptrdiff_t>(std::min(shown, finding.ids.size()));
+    const std::vector<std::string> names(finding.ids.begin(), finding.ids.begin() + named);
+    const bool is_one = errors.size() == 1;
+    const std::string edges =
+        fmt::format("{} {}{} {}", is_one ? "Edge" : "Edges", fmt::join(names, ", "),
+                    errors.size() > shown ? fmt::format(" and {} more", errors.size() - shown) : "",
+                    is_one ? "sags" : "sag");
+    const std::string size =
+        fmt::format("up to {:.2g} mm, {:.2g} times the standard deviation of that edge's length",
+                    1e3 * worst.error, worst.share);
     finding.reason =
-        worst.is_modelled
-            ? fmt::format(
-                  "The sag of {} is too large for a parabola: the length is wrong by up to "
-                  "{:.2g} mm, {:.2g} of its standard deviation.",
-                  edges, 1e3 * worst.error, worst.share)
-            : fmt::format(
-                  "Under its own weight {} sags between its nodes, which the net leaves "
-                  "out: the cable is up to {:.2g} mm longer than taken here, {:.2g} of its "
-                  "standard deviation.",
-                  edges, 1e3 * worst.error, worst.share);
-    finding.next = worst.is_modelled ? "Divide these edges by nodes."
-                                     : "Give the net the sag of its cables: \"sag_weight\": "
-                                       "\"mass\" in net.json.";
+        is_modelled ? fmt::format("{} too much for a parabola, which makes the length wrong by {}.",
+                                  edges, size)
+                    : fmt::format(
+                          "{} under the cable's own weight, which the net leaves out: the cable is "
+                          "longer than taken here by {}.",
+                          edges, size);
+    finding.next =
+        is_modelled || !may_all_sag
+            ? "Divide these edges by nodes."
+            : "Give the net the sag of its cables: \"sag_weight\": \"mass\" in net.json.";
     return finding;
+}
+
+}  // namespace
+
+std::vector<Trust::Finding> sag_findings(const CableNet& net, const Identification& result) {
+    std::vector<Trust::Finding> findings;
+    for (const bool is_modelled : {true, false}) {
+        const bool has_any = is_modelled ? net.sags() : net.data().mass.size() > 0;
+        if (!has_any || result.tensions.size() == 0) {
+            continue;
+        }
+        const std::vector<SagError> errors = sag_errors(net, result, is_modelled);
+        if (!errors.empty()) {
+            findings.push_back(finding_of(net, errors, is_modelled));
+        }
+    }
+    return findings;
 }
 
 }  // namespace taut

@@ -201,9 +201,7 @@ public:
             test_uncertain();
         }
         test_draws();
-        if (auto finding = sag_finding(m_net, m_result)) {
-            add(*std::move(finding));
-        }
+        std::ranges::move(sag_findings(m_net, m_result), std::back_inserter(m_trust.findings));
         if (auto finding = net_balance_finding(m_net, m_result, m_trust.verdict())) {
             // The first to look at: what else contradicts the survey may follow from it.
             m_trust.findings.insert(m_trust.findings.begin(), *std::move(finding));
@@ -730,7 +728,9 @@ private:
         for (const ParameterSpread& spread : spreads_of(m_result.uncertain)) {
             if (spread.is_contradicted()) {
                 const double ratio = spread.ratio * spread.widening;
-                constexpr double widest_part = 0.3;  // parse_uncertain_parameter() takes no more
+                // parse_uncertain_parameter() takes no more
+                const double widest_part =
+                    spread.parameter.kind == UncertainParameter::Kind::creep ? most_creep : 0.3;
                 UncertainParameter wider = spread.parameter;
                 wider.std = to_digits(ratio * wider.std, 2);
                 const std::string group = wider.group.empty() ? std::string() : "@" + wider.group;

@@ -20,7 +20,7 @@ FormValues form_values(const CableNet& net, const Points& form) {
             throw std::invalid_argument(
                 fmt::format("edge {} has no length in the form", net.edge_id(e)));
         }
-        if (const TensionLaw* law = net.tension_law(e); law != nullptr && !law->sags()) {
+        if (const TensionLaw* law = net.bent_law(e); law != nullptr) {
             const double strain = values.lengths(e) / net.unstressed_lengths()(e) - 1.0;
             values.axial_stiffness(e) =
                 values.is_slack(net, e) ? law->at(0.0).slope : values.tensions(e) / strain;

@@ -134,7 +134,8 @@ std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
 
 Eigen::VectorXd sag_weights_by_mass(const CableNetData& data) {
     if (data.mass.size() != std::ssize(data.edges)) {
-        throw std::invalid_argument("mass: expected that of every edge, from which cables sag");
+        throw std::invalid_argument(
+            "the net has no mass of every edge, which sags would follow from");
     }
     Eigen::VectorXd weights = equal_sag_weights(data, gravity).cwiseProduct(data.mass);
     for (size_t e = 0; e < data.edges.size(); ++e) {
@@ -171,6 +172,9 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
         support.stiffness = (0.5 * (support.stiffness + support.stiffness.transpose())).eval();
     }
     m_loads = with_self_weight(m_data);
+    if (m_data.sag_weight.size() > 0 && m_data.sag_weight.isZero(0.0)) {
+        m_data.sag_weight.resize(0);
+    }
     m_sag_laws = sag_laws(m_data);
 
     m_free_index.assign(node_count(), 0);

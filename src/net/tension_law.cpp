@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -111,16 +112,18 @@ double TensionLaw::slope_of(Eigen::Index part) const {
     return (tension(part + 1) - tension(part)) / (strain(part + 1) - strain(part));
 }
 
+TensionLaw::Tangent sagging_tangent(double axial_stiffness, double sag, double strain) {
+    const double T = sagging_tension(axial_stiffness, sag, strain);
+    const double c = std::pow(sag / T, 2) / T;  // S^2 / T^3
+    const double slope = 1.0 / (1.0 / axial_stiffness + 2.0 * c);
+    return {.tension = T, .slope = slope, .curvature = 6.0 * c / T * slope * slope * slope};
+}
+
 TensionLaw::Tangent TensionLaw::at(double strain_there) const {
     const Eigen::Index part = part_of(strain_there);
     const double slope = slope_of(part);
     if (sags()) {
-        const double T = sagging_tension(slope, sag, strain_there);
-        const double c = std::pow(sag / T, 2) / T;  // S^2 / T^3
-        const double with_sag = 1.0 / (1.0 / slope + 2.0 * c);
-        return {.tension = T,
-                .slope = with_sag,
-                .curvature = 6.0 * c / T * with_sag * with_sag * with_sag};
+        return sagging_tangent(slope, sag, strain_there);
     }
     return {.tension = tension(part) + slope * (strain_there - strain(part)), .slope = slope};
 }
@@ -167,10 +170,8 @@ double TensionLaw::strain_at(double tension_there) const {
     }
     const double slope = slope_of(part);  // checks the sizes
     if (sags()) {
-        constexpr double least = -0.5;
-        return tension_there > 0.0
-                   ? std::max(least, tension_there / slope - std::pow(sag / tension_there, 2))
-                   : least;
+        return tension_there > 0.0 ? tension_there / slope - std::pow(sag / tension_there, 2)
+                                   : -std::numeric_limits<double>::infinity();
     }
     return strain(part) + (tension_there - tension(part)) / slope;
 }

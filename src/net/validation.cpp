@@ -366,6 +366,10 @@ void validate_tension_laws(const CableNetData& data) {
         if (const std::string problem = problem_of(data.tension_laws[i]); !problem.empty()) {
             throw NetError("tension_laws", {i}, problem);
         }
+        if (data.tension_laws[i].sags()) {
+            throw NetError("tension_laws", {i},
+                           "is that of a cable that sags, expected none: sag_weight makes it");
+        }
     }
     if (data.tension_law.empty()) {
         return;

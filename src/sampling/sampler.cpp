@@ -138,7 +138,7 @@ struct Sampler::State {
 Sampler::Sampler(const CableNet& net, const LengthPrior& prior, std::uint64_t seed,
                  const std::vector<UncertainParameter>& uncertain) {
     check_prior(net, prior);
-    check_uncertain_parameters(net, uncertain);
+    check_for_one_survey(net, uncertain);
     m_state = std::make_unique<State>(net, prior, seed, uncertain);
 }
 Sampler::~Sampler() = default;

@@ -179,7 +179,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
             }
             break;
         case Kind::creep:
-            if (parameter.std > most_strain) {
+            if (parameter.std > most_creep) {
                 refuse(parameter, "strains edges by more than 1 %, expected less");
             }
             break;
@@ -265,6 +265,14 @@ void check_uncertain_parameters(const CableNet& net,
         if (is_double) {
             refuse(*one, "is given twice");
         }
+    }
+}
+
+void check_for_one_survey(const CableNet& net, const std::vector<UncertainParameter>& uncertain) {
+    check_uncertain_parameters(net, uncertain);
+    const auto creep = std::ranges::find(uncertain, Kind::creep, &UncertainParameter::kind);
+    if (creep != uncertain.end()) {
+        refuse(*creep, "is what edges gain from one survey to the next, expected a second survey");
     }
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -162,7 +163,7 @@ EnergyCertificate certify_states(const CableNet& net,
     for (int e = 0; e < net.edge_count(); ++e) {
         const EdgeState& state = states[e];
         const TensionLaw* law = net.tension_law(e);
-        elastic += energy_of(state, unstressed_lengths(e), law);
+        elastic += std::abs(energy_of(state, unstressed_lengths(e), law));
         complementary += complementary_energy(forces.edges.col(e).norm(), unstressed_lengths(e),
                                               net.axial_stiffness()(e), law);
         result.duality_gap += gap_of(state, unstressed_lengths(e), law, forces.edges.col(e));

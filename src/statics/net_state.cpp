@@ -89,8 +89,9 @@ double NetState::mean_force() const {
 }
 
 double NetState::stretch_energy() const {
-    return std::transform_reduce(m_edges.begin(), m_edges.end(), 0.0, std::plus<>(),
-                                 [](const EdgeState& e) { return 0.5 * e.tension * e.extension; });
+    return std::transform_reduce(
+        m_edges.begin(), m_edges.end(), 0.0, std::plus<>(),
+        [](const EdgeState& e) { return 0.5 * std::abs(e.tension * e.extension); });
 }
 
 double NetState::imbalance(const LocalNet& net, double relative_tolerance) const {

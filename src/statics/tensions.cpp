@@ -49,9 +49,19 @@ Eigen::VectorXd mean_weights(const CableNet& net) {
                        : Eigen::VectorXd::Constant(net.edge_count(), 1.0 / net.edge_count());
 }
 
+Eigen::VectorXd elastic_stretches(const CableNet& net) {
+    const auto states = edge_states(net, net.unstressed_lengths(), net.nodes());
+    Eigen::VectorXd result(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        result(e) = states[e].sags
+                        ? states[e].tension * net.unstressed_lengths()(e) / net.axial_stiffness()(e)
+                        : states[e].extension;
+    }
+    return result;
+}
+
 double mean_stretch(const CableNet& net) {
-    return mean_weights(net).dot(
-        (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0));
+    return mean_weights(net).dot(elastic_stretches(net).cwiseMax(0.0));
 }
 
 }  // namespace taut

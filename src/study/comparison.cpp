@@ -338,7 +338,7 @@ void ComparisonSettings::check() const {
 Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
                            const Progress& progress) {
     settings.check();
-    check_uncertain_parameters(net, settings.uncertain);
+    check_for_one_survey(net, settings.uncertain);
     const Stopwatch total;
     Comparison comparison{.net = net, .settings = settings};
     sort_once(comparison.settings.noises);

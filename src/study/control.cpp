@@ -30,7 +30,7 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
 
 void check_control(const CableNet& net, const ControlSettings& settings) {
     check_prior(net, settings.prior);
-    check_uncertain_parameters(net, settings.uncertain);
+    check_for_one_survey(net, settings.uncertain);
     const auto require = [](bool holds, const char* field, double value, const char* rule) {
         if (!holds) {
             throw std::invalid_argument(fmt::format("{} is {:g}, expected {}", field, value, rule));

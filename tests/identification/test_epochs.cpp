@@ -683,7 +683,7 @@ TEST(Epochs, FindTheCreepOfRopes) {
         EXPECT_LT(creep->std, 2e-3);
         far += std::abs(creep->mean - strain) > 2.0 * creep->std ? 1 : 0;
         EXPECT_NEAR(creep->mean, strain, 3.0 * creep->std);
-        // Lengths are those of the last survey's temperature and creep: the strain is beside them.
+        // Lengths are those of the first survey: the strain is beside them.
         EXPECT_GT(test::coverage(found, job.deviations), 0.85);
         // Not told, it is a small error of the lengths, and named where it is a large one.
         IdentifyOptions without = options;
@@ -697,6 +697,11 @@ TEST(Epochs, FindTheCreepOfRopes) {
     EXPECT_LE(far, 1);
     EXPECT_THAT([&] { (void)identify(grouped, job_of(1, {}, {}).epochs[0].survey, options); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("expected a second survey")));
+    options.uncertain = {parse_uncertain_parameter("creep:0.9%@rope")};
+    Job three = job_of(1, {}, {});
+    three.epochs.push_back(job_of(2, {}, {}).epochs[1]);
+    EXPECT_THAT([&] { (void)identify_epochs(grouped, three.epochs, options); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("more than 1 % in 3 surveys")));
 }
 
 /// A third survey has had twice the time: a walk of which each step is as wide.
@@ -705,9 +710,14 @@ TEST(Epochs, LetCreepGoOn) {
     const Eigen::VectorXd lengths = net().unstressed_lengths()(net().interior_edges());
     Job job = job_of(5, {}, {}, strain * lengths);
     job.epochs.push_back(job_of(5, {}, {}, 2.5 * strain * lengths).epochs[1]);
-    for (const int node : job.epochs[2].survey.surveyed) {  // with noise of its own
-        job.epochs[2].survey.form.col(node) += 0.3 * noise * Eigen::Vector3d(1, -1, 1).normalized();
+    std::mt19937_64 random(77);  // other noise than that of the second survey
+    std::normal_distribution<double> normal(0.0, noise);
+    for (const int node : job.epochs[2].survey.surveyed) {
+        for (double& coordinate : job.epochs[2].survey.form.col(node)) {
+            coordinate += normal(random);
+        }
     }
+    job.epochs[2].survey.noise_std *= std::sqrt(2.0);
     IdentifyOptions options;
     options.prior = prior;
     options.uncertain = {parse_uncertain_parameter("creep:0.5%")};

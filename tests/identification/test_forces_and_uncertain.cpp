@@ -359,7 +359,7 @@ TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
             60, {.mean = mean * std::sqrt(part), .std = std::sqrt(1.0 - part), .prior_std = 1.0});
         return spreads_of(many).at(0).is_contradicted();
     };
-    EXPECT_FALSE(contradicted(2.0, 0.05));  // chi squared of 3: 16.3 once in a thousand times
+    EXPECT_FALSE(contradicted(2.0, 0.05));  // chi squared of 3: 14.2 by chance
     EXPECT_TRUE(contradicted(2.4, 0.05));
     EXPECT_TRUE(contradicted(1.6, 0.5));
     EXPECT_FALSE(contradicted(1.4, 1.0));

@@ -81,7 +81,8 @@ function tensionWords(result: Identification): string {
 
 /** What tensions depend on and is no uncertain parameter. */
 function assumedWords({ cable_net, uncertain = [] }: Identification): string {
-  const names = ["stiffness", "loads", "supports", ...(cable_net.supports.some((_, i) => isElastic(cable_net, i)) ? ["support-stiffness"] : [])];
+  const hasLoads = cable_net.loads !== undefined || !uncertain.some((one) => one.name === "mass");
+  const names = ["stiffness", ...(hasLoads ? ["loads"] : []), "supports", ...(cable_net.supports.some((_, i) => isElastic(cable_net, i)) ? ["support-stiffness"] : [])];
   const exact = names.filter((name) => !uncertain.some((one) => one.name === name));
   if (exact.length === 0) return "";
   return `, if ${exact.length === 1 ? exact[0] : `${exact.slice(0, -1).join(", ")} and ${exact.at(-1)}`} are as designed`;

@@ -41,7 +41,8 @@ struct TAUT_CORE_EXPORT ParameterSpread {
     double shown = 0.0;
     double widening = 1.0;  ///< standard deviation before the survey over the parameter's
 
-    /// Whether the ratio is larger than chance would have it once in a thousand times, and 1.5.
+    /// Whether the ratio is larger than 1.5 and than chance would have it, as seldom as a single
+    /// number of three standard deviations.
     [[nodiscard]] bool is_contradicted() const;
 };
 

@@ -173,6 +173,13 @@ public:
     /// Whether any edge is a strut. The energy is not convex then: there may be several forms, or
     /// none that is stable.
     [[nodiscard]] bool has_struts() const { return !m_data.kind.empty(); }
+    /// The piecewise linear law of an edge; null if it has none.
+    /// @param edge 0 to edge_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] const TensionLaw* bent_law(int edge) const {
+        const TensionLaw* law = tension_law(edge);
+        return law == nullptr || law->sags() ? nullptr : law;
+    }
     /// Whether any cable sags between its nodes: then it is never slack.
     [[nodiscard]] bool sags() const { return !m_sag_laws.empty(); }
     /// Whether an edge carries nothing where it is longer than the distance of its nodes: a cable

@@ -48,7 +48,7 @@ struct TAUT_CORE_EXPORT TensionLaw {
     /// @param std positive
     [[nodiscard]] double missed_by_blurred(double strain_there, double std) const;
 
-    /// The least strain with this tension; of a cable that sags -1/2 at least.
+    /// The least strain with this tension; of a cable that sags without any it is infinite.
     [[nodiscard]] double strain_at(double tension_there) const;
 
     /// The least and the greatest strain with this tension, to a millionth of it. They differ if
@@ -74,6 +74,12 @@ private:
     [[nodiscard]] Eigen::Index part_of(double strain_there) const;
     [[nodiscard]] double slope_of(Eigen::Index part) const;
 };
+
+/// Tension, slope and curvature of a cable that sags, (sagging-law) of docs/theory.md.
+/// @param axial_stiffness EA, positive [N]
+/// @param sag S, positive [N]
+[[nodiscard]] TAUT_CORE_EXPORT TensionLaw::Tangent sagging_tangent(double axial_stiffness,
+                                                                   double sag, double strain);
 
 /// The first rule that a law breaks, for example "falls from ..."; empty if there is none.
 [[nodiscard]] TAUT_CORE_EXPORT std::string problem_of(const TensionLaw& law);

@@ -63,6 +63,12 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 ///   stiffness of supports where none is elastic
 TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
                                                  const std::vector<UncertainParameter>& uncertain);
+/// The same for what has one survey.
+/// @throws std::invalid_argument likewise, and for a creep
+TAUT_CORE_EXPORT void check_for_one_survey(const CableNet& net,
+                                           const std::vector<UncertainParameter>& uncertain);
+/// The greatest standard deviation of a creep, until the last survey.
+inline constexpr double most_creep = 0.01;
 
 /// What is known of forces.
 struct KnownForces {

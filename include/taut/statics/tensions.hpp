@@ -31,7 +31,11 @@ namespace taut {
 /// struts.
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd mean_weights(const CableNet& net);
 
-/// How much longer cables are than unstressed at the net's nodes, in the mean, 0 where slack [m].
+/// How much longer tension makes edges at the net's nodes, negative in compressed struts (m): of a
+/// straight edge l - l_0, 0 where slack, of a cable that sags T l_0 / EA [m].
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd elastic_stretches(const CableNet& net);
+
+/// elastic_stretches() of cables in the mean [m].
 [[nodiscard]] TAUT_CORE_EXPORT double mean_stretch(const CableNet& net);
 
 }  // namespace taut
