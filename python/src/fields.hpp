@@ -129,7 +129,7 @@ TAUT_FIELDS(MeasurementSuggestions, quantity, mean_tension, std, steps, left_out
 
 // adjustment
 TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads,
-            support_stiffness)
+            support_stiffness, sag)
 TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_because, failed_because)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)

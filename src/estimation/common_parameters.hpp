@@ -91,6 +91,19 @@ public:
     [[nodiscard]] double stiffness_rate(int k, int edge) const {
         return m_stiffness.size() > 0 ? m_stiffness(edge, k) : 0.0;
     }
+    /// Relative change of the weight that makes cables sag, by one standard deviation of the mass.
+    [[nodiscard]] double sag_rate(int k) const {
+        return k < std::ssize(m_uncertain) && m_uncertain[k].kind == UncertainParameter::Kind::mass
+                   ? m_uncertain[k].std
+                   : 0.0;
+    }
+    [[nodiscard]] double sag_factor(const Eigen::VectorXd& values) const {
+        double factor = 1.0;
+        for (int k = 0; k < std::ssize(m_uncertain); ++k) {
+            factor += sag_rate(k) * values(k);
+        }
+        return factor;
+    }
     [[nodiscard]] double thermal_rate(int k, int edge) const {
         return m_thermal.size() > 0 ? m_thermal(edge, k) : 0.0;
     }

@@ -339,8 +339,10 @@ Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::Vect
                                   std::sqrt(of_stiffness(i));
             deviation -= length;
         }
-        if (m_net.bent_law(edge) != nullptr ? tensions(edge) > 0.0
-                                            : own_stiffness(edge) != 0.0 && !slack[edge]) {
+        // Of a sag by a drawn mass, too: samples have that of the net.
+        if (m_net.bent_law(edge) != nullptr
+                ? tensions(edge) > 0.0
+                : (own_stiffness(edge) != 0.0 || m_net.sags()) && !slack[edge]) {
             deviation = length_of_tension(edge, lengths(edge), tensions(edge), own_stiffness(edge),
                                           drawn.common) -
                         m_net.unstressed_lengths()(edge);

@@ -100,9 +100,12 @@ EdgeRates StaticsModel::rates(int edge, const Iterate& iterate) const {
     double axial = stiffness * m_net->axial_stiffness()(edge) / unstressed;
     double tension = axial * e.value;
     double by_stiffness = tension;
+    double by_sag = 0.0;
     if (const TensionLaw* law = m_net->tension_law(edge); law != nullptr && law->sags()) {
-        const auto tangent = sagging_tangent(stiffness * m_net->axial_stiffness()(edge), law->sag,
-                                             e.value / unstressed);
+        const double S = law->sag * common.sag_factor(iterate.common);
+        const auto tangent =
+            sagging_tangent(stiffness * m_net->axial_stiffness()(edge), S, e.value / unstressed);
+        by_sag = 2.0 * tangent.slope * std::pow(S / tangent.tension, 2);
         by_stiffness = tangent.tension * tangent.slope / (axial * unstressed);  // (sagging-law)
         axial = tangent.slope / unstressed;
         tension = tangent.tension;
@@ -118,6 +121,7 @@ EdgeRates StaticsModel::rates(int edge, const Iterate& iterate) const {
             .across = tension / length,
             .axial = axial * e.rate,
             .by_length = -heated * axial * (e.value / unstressed + e.rate),
+            .by_sag = by_sag,
             .by_stiffness = by_stiffness};
 }
 
@@ -126,7 +130,8 @@ EdgeVariation StaticsModel::common_variation(int edge, int k, const Iterate& ite
     const double heated = 1.0 + common.thermal_strain(edge, iterate.common);
     EdgeVariation result{.stiffness = common.stiffness_rate(k, edge),
                          .length = unstressed_length(edge, iterate) * common.thermal_rate(k, edge) /
-                                   (heated * heated)};
+                                   (heated * heated),
+                         .sag = common.sag_rate(k)};
     if (!are_supports_uncertain()) {
         // (frame): of known supports; uncertain ones carry the motion in their own places.
         result.motion = common.support_rate(k, first) - common.support_rate(k, second);

@@ -38,6 +38,7 @@ struct EdgeVariation {
     Eigen::Vector3d motion = Eigen::Vector3d::Zero();  ///< of its first end from its second [m]
     double stiffness = 0.0;                            ///< relative
     double length = 0.0;                               ///< unstressed, cold [m]
+    double sag = 0.0;                                  ///< of its sag weight, relative
 };
 
 /// Tension and rates of an edge at an iterate, docs/theory.md (edge rates).
@@ -47,6 +48,7 @@ struct EdgeRates {
     double across;              ///< T / l [N/m]
     double axial;               ///< dT/dl [N/m]
     double by_length;           ///< dT/dd [N/m]
+    double by_sag;              ///< dT/d log S, of a cable that sags [N]
     double by_stiffness;        ///< dT/d log EA: T, less of a cable that sags [N]
 
     /// h of its first node, -h of its second [N].
@@ -61,7 +63,7 @@ struct EdgeRates {
     /// Change of the tension [N], and of the force at its first node [N].
     [[nodiscard]] double tension_by(const EdgeVariation& variation) const {
         return by_stiffness * variation.stiffness + axial * direction.dot(variation.motion) +
-               by_length * variation.length;
+               by_length * variation.length + by_sag * variation.sag;
     }
     [[nodiscard]] Eigen::Vector3d force_by(const EdgeVariation& variation) const {
         const double along = direction.dot(variation.motion);

@@ -347,6 +347,7 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 result.own_loads(estimate.axis, estimate.node) += mean;
                 break;
             case Kind::mass:
+                result.sag = mean;
                 result.own_loads += mean * self_weight(net);
                 break;
             case Kind::forces:

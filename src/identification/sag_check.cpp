@@ -23,6 +23,22 @@ struct SagError {
     double share;  ///< of the standard deviation of the edge's length
 };
 
+/// Standard deviations of the lengths (m); of an adjustable edge that counts as known one that no
+/// survey shows [m].
+Eigen::VectorXd length_stds(const CableNet& net, const Identification& result) {
+    constexpr double known = 1e-4;
+    Eigen::VectorXd stds = Eigen::VectorXd::Constant(net.edge_count(), known);
+    for (const ParameterEstimate& one : result.uncertain) {
+        if (one.parameter.kind == UncertainParameter::Kind::adjustable) {
+            stds(one.edge) = one.std;
+        }
+    }
+    for (const IdentifiedEdge& edge : result.edges) {
+        stds(edge.edge) = edge.std;
+    }
+    return stds;
+}
+
 /// The errors that matter, the worst first.
 /// @param is_modelled of cables that sag in the net, else of those taken as straight
 std::vector<SagError> sag_errors(const CableNet& net, const Identification& result,
@@ -30,11 +46,11 @@ std::vector<SagError> sag_errors(const CableNet& net, const Identification& resu
     constexpr double least_share = 0.25;
     const CableNetData& data = net.data();
     std::vector<SagError> errors;
-    for (const IdentifiedEdge& edge : result.edges) {
-        const int e = edge.edge;
+    const Eigen::VectorXd stds = length_stds(net, result);
+    for (int e = 0; e < net.edge_count(); ++e) {
         const double tension = result.tensions(e);
         const bool sags = !net.is_strut(e) && !net.can_be_slack(e);
-        if (net.is_strut(e) || sags != is_modelled || !(tension > 0.0) || !(edge.std > 0.0)) {
+        if (net.is_strut(e) || sags != is_modelled || !(tension > 0.0) || !(stds(e) > 0.0)) {
             continue;
         }
         const auto [s, t] = net.edges()[e];
@@ -47,8 +63,8 @@ std::vector<SagError> sag_errors(const CableNet& net, const Identification& resu
         const double depth = weight / (8.0 * tension);                               // f
         const double next = std::abs(7.2 - 12.8 * (1.0 / (across * across) - 1.0));  // (sag-error)
         const double error = is_modelled ? longer * next * depth * depth : longer;
-        if (error > least_share * edge.std) {
-            errors.push_back({.edge = e, .error = error, .share = error / edge.std});
+        if (error > least_share * stds(e)) {
+            errors.push_back({.edge = e, .error = error, .share = error / stds(e)});
         }
     }
     std::ranges::stable_sort(errors, std::greater{}, &SagError::share);

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Interior cables whose sag the model gets wrong by more than a quarter of the standard deviation
+/// Cables whose sag the model gets wrong by more than a quarter of the standard deviation
 /// of their length: those that are taken as straight though they have a mass, by all of (S/T)^2 of
 /// (sagging-law), and those that sag too much for its parabola, by its next term (sag-error). A
 /// finding of either kind; doubtful where it is a whole standard deviation.

@@ -15,6 +15,18 @@ inline CableNetData with_weight_as_load(const CableNet& net) {
     return data;
 }
 
+/// The data of a net with other lengths, whose edges weigh as much as before.
+inline CableNetData with_lengths_of_same_weight(const CableNet& net,
+                                                const Eigen::VectorXd& unstressed_lengths) {
+    CableNetData data = net.data();
+    data.unstressed_lengths = unstressed_lengths;
+    if (data.mass.size() > 0) {
+        data.mass =
+            data.mass.cwiseProduct(net.unstressed_lengths().cwiseQuotient(unstressed_lengths));
+    }
+    return data;
+}
+
 /// The self-weight of the edges, as loads (3 x n) [N].
 inline Points self_weight(const CableNet& net) {
     const Points& loads = net.data().loads;

@@ -94,7 +94,8 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                 }
                 break;
             case UncertainParameter::Kind::mass:
-                result.own_loads += parameter.std * random.normal() * self_weight(net);
+                result.sag = parameter.std * random.normal();
+                result.own_loads += result.sag * self_weight(net);
                 break;
             case UncertainParameter::Kind::forces:
             case UncertainParameter::Kind::test_loads:
@@ -120,6 +121,7 @@ CableNet net_under(const CableNet& net, const ModelPerturbation& perturbation,
     if (!net.is_linear()) {
         scale_laws(net, perturbation.stiffness, data);
     }
+    data.sag_weight *= 1.0 + perturbation.sag;
     data.loads = (1.0 + perturbation.loads) * net.loads() + perturbation.own_loads;
     data.unstressed_lengths = (unstressed_lengths + perturbation.adjustable)
                                   .cwiseProduct((1.0 + perturbation.thermal.array()).matrix());

@@ -167,9 +167,7 @@ private:
     [[nodiscard]] CableNet planned_net() const {
         Eigen::VectorXd lengths = m_net.unstressed_lengths();
         lengths(m_net.adjustable_edges()) += m_planned_strokes;
-        CableNetData data = with_weight_as_load(m_net);
-        data.unstressed_lengths = lengths;
-        return CableNet(std::move(data));
+        return CableNet(with_lengths_of_same_weight(m_net, lengths));
     }
 
     [[nodiscard]] Survey survey(const CableNet& planned, int round) const {

@@ -23,6 +23,7 @@ struct ModelPerturbation {
     double loads = 0.0;              ///< relative change of all loads
     Points own_loads;                ///< 3 x n, change of the load of each node [N]
     double support_stiffness = 0.0;  ///< logarithm of the factor of all elastic supports
+    double sag = 0.0;  ///< relative change of all sag weights, as of the mass that makes them
 };
 
 /// No perturbation: all as designed.
