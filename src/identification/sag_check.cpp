@@ -100,10 +100,9 @@ Trust::Finding finding_of(const CableNet& net, const std::vector<SagError>& erro
                           "{} under the cable's own weight, which the net leaves out: the cable is "
                           "longer than taken here by {}.",
                           edges, size);
-    finding.next =
-        is_modelled || !may_all_sag
-            ? "Divide these edges by nodes."
-            : "Give the net the sag of its cables: \"sag_weight\": \"mass\" in net.json.";
+    finding.next = is_modelled || !may_all_sag
+                       ? "Divide these edges by nodes."
+                       : R"(Give the net the sag of its cables: "sag_weight": "mass" in net.json.)";
     return finding;
 }
 

@@ -425,6 +425,50 @@ TEST(Diagnostics, PassesHeavyCablesWithTheirSagAndNamesThoseWithout) {
     EXPECT_NE(without.trust.verdict(), Trust::Verdict::passed);
 }
 
+/// A mass that is off changes the weight and the sag alike: the form shows nothing of it.
+TEST(Diagnostics, KnowTensionsByTheWeightNoBetterThanTheMass) {
+    const CableNet given = heavy_net();
+    CableNetData data = given.data();
+    data.mass *= 1.05;
+    data.sag_weight *= 1.05;
+    const CableNet heavier(data);
+    const LengthPrior tolerance{LengthPrior::Kind::normal, 0.002};
+    const SimulatedSurvey s = simulate(heavier, tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
+    IdentifyOptions options;
+    options.prior = tolerance;
+    options.assume_site = true;
+    options.draws = 0;
+    const Identification result = identify(given, s.survey, options);
+    const auto mass =
+        std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
+                          [](const ParameterEstimate& one) { return one.parameter.kind; });
+    ASSERT_NE(mass, result.uncertain.end());
+    EXPECT_GT(mass->std, 0.8 * mass->prior_std);
+}
+
+/// The long cables at the edge, whose lengths are set.
+TEST(Diagnostics, NameTheSagOfAdjustableEdges) {
+    CableNetData data = heavy_net().data();
+    data.sag_weight.resize(0);
+    const CableNet heavy = heavy_net();
+    for (const int edge : heavy.interior_edges()) {
+        data.mass(edge) = 1e-3;
+    }
+    data.nodes = solve_equilibrium(CableNet(data)).form;
+    const CableNet given(data);
+    const LengthPrior tolerance{LengthPrior::Kind::normal, 0.002};
+    const SimulatedSurvey s = simulate(given, tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
+    IdentifyOptions options;
+    options.prior = tolerance;
+    options.assume_site = true;
+    const Identification result = identify(given, s.survey, options);
+    const auto finding = std::ranges::find(result.trust.findings, Kind::sag, &Trust::Finding::kind);
+    ASSERT_NE(finding, result.trust.findings.end());
+    for (const std::string& id : finding->ids) {
+        EXPECT_TRUE(std::ranges::binary_search(given.adjustable_edges(), given.find_edge(id)));
+    }
+}
+
 /// A load that the drawn form does not carry yet is no fault.
 TEST(Diagnostics, PassesANetDrawnWithoutOneOfItsLoads) {
     CableNetData data = net().data();

@@ -101,7 +101,7 @@ def test_cables_sag(tmp_path):
     again = taut.CableNet.load(tmp_path / "net.json")
     assert again.fingerprint == net.fingerprint
     assert np.array_equal(again.sag_weight, net.sag_weight)
-    assert heavy_net(0.0).sag_weight.max() == 0
+    assert heavy_net(0.0).sag_weight.size == 0
     with pytest.raises(taut.NetError, match="sag_weight"):
         heavy_net(-1.0)
     with pytest.raises(ValueError, match="expected 'mass'"):

@@ -77,6 +77,19 @@ TEST(Control, BuildsNetsWithWhatIsUncertain) {
     EXPECT_LT(built.after(1).normal_rmse, built.after(0).normal_rmse);
 }
 
+/// What weighs keeps its mass, which is uncertain, when edges are turned.
+TEST(Control, PlansOnIdentifiedLengthsOfNetsWithMasses) {
+    CableNetData data = hypar(4, 4).data();
+    data.mass = Eigen::VectorXd::Constant(std::ssize(data.edges), 0.1);
+    const CableNet net(data);
+    ControlSettings settings = small_job();
+    settings.uncertain = with_site_assumptions(net, {});
+    ASSERT_GT(std_of(settings.uncertain, UncertainParameter::Kind::mass), 0.0);
+    for (const ControlRecord& record : simulate_control(net, settings)) {
+        EXPECT_EQ(record.after(1).failed, 0);
+    }
+}
+
 TEST(Control, RefusesSettingsThatCannotBeMeant) {
     const CableNet net = hypar(3, 3);
     const auto expect_refused = [&](auto change, const char* text) {
