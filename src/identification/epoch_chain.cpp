@@ -70,12 +70,8 @@ CableNet net_at_survey(const CableNet& net, std::span<const Epoch> epochs, size_
     if (turned.empty() && !epochs[k].is_loaded()) {
         return net;
     }
-    CableNetData data = turned_net(net, turned).data();
-    if (net.data().mass.size() > 0) {  // the same weight of edges of other lengths
-        data.mass = net.data().mass.cwiseProduct(
-            net.unstressed_lengths().cwiseQuotient(data.unstressed_lengths));
-        data.loads -= self_weight(net);
-    }
+    CableNetData data =
+        with_lengths_of_same_weight(net, turned_net(net, turned).unstressed_lengths());
     if (epochs[k].is_loaded()) {
         data.loads = data.loads.cols() > 0 ? Points(data.loads + epochs[k].loads) : epochs[k].loads;
     }

@@ -655,7 +655,8 @@ TEST(Epochs, AKnownLoadThatIsNotGivenIsNamed) {
     EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
 }
 
-/// The strain that interior edges gain between two surveys, which do not see it unless told so.
+/// The strain that interior edges gain between two surveys, which do not show it unless it is
+/// assumed.
 TEST(Epochs, FindTheCreepOfRopes) {
     constexpr double strain = 4e-3;
     Eigen::VectorXd crept = Eigen::VectorXd::Zero(net().interior_edge_count());
@@ -685,7 +686,7 @@ TEST(Epochs, FindTheCreepOfRopes) {
         EXPECT_NEAR(creep->mean, strain, 3.0 * creep->std);
         // Lengths are those of the first survey: the strain is beside them.
         EXPECT_GT(test::coverage(found, job.deviations), 0.85);
-        // Not told, it is a small error of the lengths, and named where it is a large one.
+        // Not assumed, it is a small error of the lengths, and named where it is a large one.
         IdentifyOptions without = options;
         without.uncertain.clear();
         EXPECT_GT(test::coverage(identify_epochs(grouped, job.epochs, without), job.deviations),

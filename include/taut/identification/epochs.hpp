@@ -45,11 +45,10 @@ inline constexpr int most_edges_of_epochs = 3000;
 
 /// Identifies lengths from all surveys at once, by maximum a posteriori. Lengths of interior edges
 /// are the same in all surveys. Those of adjustable edges were changed by what was turned, with its
-/// standard deviation. Frame, noise and temperature are each survey's own; a
-/// creep is a walk from zero at the first. Each survey is fitted
-/// with the evidence of the others until they agree. Lengths that changed in between are detected
-/// and set free, and so are adjustable ones that differ from the design at the beginning.
-/// docs/theory.md, "Epochs".
+/// standard deviation. Frame, noise and temperature are each survey's own; a creep is a walk from
+/// zero at the first. Each survey is fitted with the evidence of the others until they agree.
+/// Lengths that changed in between are detected and set free, and so are adjustable ones that
+/// differ from the design at the beginning. docs/theory.md, "Epochs".
 ///
 /// @param net as designed, before anything was turned
 /// @param epochs at least two, in the order of the surveys, with their noise
