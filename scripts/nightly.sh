@@ -15,7 +15,7 @@ source scripts/steps.sh
 seconds=${1:-120}
 hostile=(/usr/bin/python3 tests/hostile/run.py --program build/taut)
 
-step scripts/install_dependencies.sh test lint fuzz hostile compilers browsers reference
+step scripts/install_dependencies.sh test lint fuzz hostile compilers browsers reference python ci
 step scripts/lint.sh --all
 # The compiler of the consumers is looked for anew: .ci/run installs no Clang 14.
 step cmake -U TAUT_OTHER_COMPILER --log-level=WARNING --preset release -DTAUT_BUILD_TESTS=ON
