@@ -11,8 +11,12 @@ import functools
 import inspect
 import re
 import warnings
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
 
-TYPES = {"str": str, "bool": bool}
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+TYPES: dict[str, type] = {"str": str, "bool": bool}
 
 #: Arguments of version 0.2 and their names since. The old ones go with 0.4.
 RENAMED = {
@@ -24,12 +28,12 @@ RENAMED = {
 }
 
 
-def _fits(value, annotation: ast.expr):
+def _fits(value: object, annotation: ast.expr | None) -> bool | None:
     """Whether a value is of a type as a stub writes it; None where that takes a closer look."""
     if isinstance(annotation, ast.BinOp):
         both = [_fits(value, annotation.left), _fits(value, annotation.right)]
         return True if True in both else None if None in both else False
-    if isinstance(annotation, ast.Subscript):
+    if annotation is None or isinstance(annotation, ast.Subscript):
         return None
     name = ast.unparse(annotation).rpartition(".")[2]
     if name in ("ArrayLike", "object"):
@@ -43,24 +47,24 @@ def _fits(value, annotation: ast.expr):
     return type(value).__name__.removesuffix("Type") == name
 
 
-def _listed(annotation):
-    return re.sub(r"\b[\w.]+\.(\w+)", r"\1", ast.unparse(annotation))
+def _listed(annotation: ast.expr | None) -> str:
+    return re.sub(r"\b[\w.]+\.(\w+)", r"\1", ast.unparse(annotation)) if annotation else ""
 
 
-def _got(value):
+def _got(value: object) -> str:
     name = type(value).__name__
     return f"{name} {value}" if isinstance(value, int) else name
 
 
-def _arguments(function) -> tuple[ast.arguments, dict[str, ast.expr]]:
+def _arguments(function: Any) -> tuple[ast.arguments, dict[str, ast.expr | None]]:
     """The arguments of a function of nanobind, and the annotations of all by their names."""
     head = re.sub(r"\\\d+", "...", function.__nb_signature__[0][0])
-    arguments = ast.parse(f"{head}: ...").body[0].args
+    arguments = cast("ast.FunctionDef", ast.parse(f"{head}: ...").body[0]).args
     arguments.args = [one for one in arguments.args if one.arg != "self"]
     return arguments, {one.arg: one.annotation for one in arguments.args + arguments.kwonlyargs}
 
 
-def signature_of(function) -> inspect.Signature:
+def signature_of(function: Any) -> inspect.Signature:
     """What inspect.signature() says of a function of nanobind."""
     head, _, defaults = function.__nb_signature__[0]
     arguments, annotations = _arguments(function)
@@ -68,13 +72,13 @@ def signature_of(function) -> inspect.Signature:
     kinds = inspect.Parameter
     first = arguments.args
     optional = len(arguments.defaults)
-    of_first = [None] * (len(first) - optional) + arguments.defaults
+    of_first = [*[None] * (len(first) - optional), *arguments.defaults]
     parameters = [
         kinds(
             one.arg,
             kind,
             default=kinds.empty if default is None else next(given),
-            annotation=ast.unparse(annotations[one.arg]),
+            annotation=ast.unparse(annotations[one.arg] or ast.Name("object")),
         )
         for ones, of_ones, kind in (
             (first, of_first, kinds.POSITIONAL_OR_KEYWORD),
@@ -85,7 +89,7 @@ def signature_of(function) -> inspect.Signature:
     return inspect.Signature(parameters, return_annotation=head.rpartition(" -> ")[2])
 
 
-def misfit(function, args, kwargs) -> str:
+def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
     """What is wrong with the arguments of a call that a function of nanobind has refused."""
     arguments, expected = _arguments(function)
     if len(args) > len(arguments.args):
@@ -109,7 +113,7 @@ def misfit(function, args, kwargs) -> str:
     )
 
 
-def _with_new_names(function, name, kwargs):
+def _with_new_names(function: Any, name: str, kwargs: dict[str, Any]) -> dict[str, Any]:
     """Arguments under their names of this version, with a warning for each old one."""
     _, expected = _arguments(function)
     for old in [old for old in kwargs if old not in expected and RENAMED.get(old) in expected]:
@@ -126,13 +130,13 @@ def _with_new_names(function, name, kwargs):
     return kwargs
 
 
-def naming_arguments(function, name=None):
+def naming_arguments(function: Function, name: str | None = None) -> Function:
     """The same function: its errors name the argument, and it takes the names of RENAMED."""
     refused = f"{function.__name__}(): incompatible function arguments"
     is_constructor = function.__name__ == "__init__"
 
     @functools.wraps(function)
-    def call(*args, **kwargs):
+    def call(*args: Any, **kwargs: Any) -> Any:
         if not RENAMED.keys().isdisjoint(kwargs):
             kwargs = _with_new_names(function, call.__name__, kwargs)
         try:
@@ -144,6 +148,6 @@ def naming_arguments(function, name=None):
             raise TypeError(f"{call.__name__}: {wrong}") from None
 
     call.__module__ = "taut"
-    call.__signature__ = signature_of(function)
+    call.__signature__ = signature_of(function)  # type: ignore[attr-defined]
     call.__name__ = call.__qualname__ = name or function.__name__
-    return call
+    return cast("Function", call)

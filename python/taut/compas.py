@@ -8,15 +8,17 @@ import os
 import warnings
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from taut import _taut, calls
 
 _net_of_compas = calls.naming_arguments(_taut._net_of_compas, "from_compas")
 
 
-def _json_of(structure) -> str:
+def _json_of(structure: Any) -> str:
     """A COMPAS structure as the JSON that compas.json_dump() writes."""
     try:
         import compas
@@ -30,23 +32,23 @@ def _json_of(structure) -> str:
         raise TypeError(
             f"structure: got {type(structure).__name__}, expected a COMPAS Mesh or Graph"
         )
-    return json_dumps(structure)
+    return str(json_dumps(structure))
 
 
 def from_compas(
-    structure,
+    structure: Any,
     *,
-    name=None,
-    select="",
-    axial_stiffness=None,
-    young=None,
-    diameter=None,
-    diameter_attribute="",
-    force_unit=None,
-    supports=None,
-    boundary=False,
-    loads="file",
-):
+    name: str | None = None,
+    select: str = "",
+    axial_stiffness: float | None = None,
+    young: float | None = None,
+    diameter: float | None = None,
+    diameter_attribute: str = "",
+    force_unit: float | None = None,
+    supports: Iterable[object] | None = None,
+    boundary: bool = False,
+    loads: str = "file",
+) -> _taut.CableNet:
     """CableNet.from_compas()."""
     if isinstance(structure, (str, os.PathLike)):
         path = Path(structure)
@@ -77,17 +79,24 @@ def from_compas(
     )
 
 
-def _net_of_json(text, name, select, *, supports, loads, **settings):
+def _net_of_json(
+    text: str,
+    name: str,
+    select: str,
+    *,
+    supports: Iterable[object] | None,
+    loads: str,
+    **settings: Any,
+) -> _taut.CableNet:
     if loads not in ("file", "balance", "none"):
         raise ValueError(f"loads: got {loads!r}, expected 'file', 'balance' or 'none'")
-    if supports is not None:
-        if isinstance(supports, str) or not isinstance(supports, Iterable):
-            raise TypeError(
-                f"supports: got {type(supports).__name__}, expected keys of the structure's nodes"
-            )
-        supports = [str(one) for one in supports]
+    if isinstance(supports, str) or not (supports is None or isinstance(supports, Iterable)):
+        raise TypeError(
+            f"supports: got {type(supports).__name__}, expected keys of the structure's nodes"
+        )
+    keys = None if supports is None else [str(one) for one in supports]
     net, notes = _net_of_compas(
-        text=text, name=name, select=select, supports=supports, loads=loads, **settings
+        text=text, name=name, select=select, supports=keys, loads=loads, **settings
     )
     if notes["mean_tension"] == 0.0 and not np.any(net.loads):
         raise ValueError(
@@ -101,7 +110,7 @@ def _net_of_json(text, name, select, *, supports, loads, **settings):
     return net
 
 
-def to_compas(net, form=None, like=None):
+def to_compas(net: _taut.CableNet, form: ArrayLike | None = None, like: Any = None) -> Any:
     """CableNet.to_compas()."""
     try:
         from compas.data import json_loads
@@ -111,7 +120,7 @@ def to_compas(net, form=None, like=None):
     return graph if like is None else _put_on(like, graph)
 
 
-def _put_on(like, graph):
+def _put_on(like: Any, graph: Any) -> Any:
     """A copy of a Mesh or Graph with the places and forces of a graph that has its names."""
     is_mesh = hasattr(like, "vertices")
     result = like.copy()
@@ -140,7 +149,15 @@ def _put_on(like, graph):
     return result
 
 
-def from_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):
+def from_jax_fdm(
+    structure: Any,
+    q: ArrayLike,
+    *,
+    axial_stiffness: ArrayLike,
+    loads: ArrayLike | None = None,
+    xyz_fixed: ArrayLike | None = None,
+    name: str = "jax-fdm",
+) -> _taut.CableNet:
     """CableNet.from_jax_fdm()."""
     fields = [getattr(structure, name, None) for name in ("nodes", "edges", "indices_fixed")]
     if any(one is None or callable(one) for one in fields):

@@ -18,10 +18,14 @@ import math
 import threading
 import warnings
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from taut import _taut
+
+Array = NDArray[np.float64]
 
 NAMES = ("value", "push", "pull", "push2", "pull2")
 
@@ -30,21 +34,21 @@ ALONG = {"value": "push", "push": "push2", "pull": "pull2"}
 
 #: The transpose with respect to argument i after the lengths: a function, and what it takes after
 #: the lengths: 0 is the cotangent, 1 and 2 are the arguments.
-TRANSPOSED = {
-    ("push", 0): ("pull", 0),
-    ("pull", 0): ("push", 0),
-    ("push2", 0): ("pull2", 0, 2),
-    ("push2", 1): ("pull2", 0, 1),
-    ("pull2", 0): ("push2", 0, 2),
-    ("pull2", 1): ("pull2", 1, 0),
+TRANSPOSED: dict[tuple[str, int], tuple[str, tuple[int, ...]]] = {
+    ("push", 0): ("pull", (0,)),
+    ("pull", 0): ("push", (0,)),
+    ("push2", 0): ("pull2", (0, 2)),
+    ("push2", 1): ("pull2", (0, 1)),
+    ("pull2", 0): ("push2", (0, 2)),
+    ("pull2", 1): ("pull2", (1, 0)),
 }
 
 NO_THIRD = "third derivatives of the form are not implemented: taut has first and second ones"
 
 
-def transposed(name, i, cotangent, linear):
+def transposed(name: str, i: int, cotangent: Any, linear: Any) -> tuple[str, list[Any]]:
     """A function and its arguments after the lengths, by TRANSPOSED."""
-    other, *places = TRANSPOSED[name, i]
+    other, places = TRANSPOSED[name, i]
     return other, [(cotangent, *linear)[place] for place in places]
 
 
@@ -52,7 +56,13 @@ class Solution:
     """The form for some lengths, and its derivatives there: by one factor of the stiffness, made
     when the first is asked for."""
 
-    def __init__(self, net, solver, lengths, start=None):
+    def __init__(
+        self,
+        net: _taut.CableNet,
+        solver: _taut.EquilibriumSolver,
+        lengths: Array,
+        start: ArrayLike | None = None,
+    ):
         self._net, self._lengths = net, lengths.copy()
         found = solver.solve(lengths, start)
         if not found.is_balanced:
@@ -64,34 +74,34 @@ class Solution:
                 RuntimeWarning,
                 stacklevel=4,
             )
-        self.form = found.form
+        self.form: Array = found.form
 
     @cached_property
-    def _sensitivity(self):
+    def _sensitivity(self) -> _taut.FormSensitivity:
         return _taut.FormSensitivity(self._net, self._lengths, self.form)
 
-    def value(self):
+    def value(self) -> Array:
         return self.form
 
-    def push(self, change):
+    def push(self, change: Array) -> Array:
         return self._of_all_nodes(self._sensitivity.apply(change))
 
-    def pull(self, cotangent):
+    def pull(self, cotangent: Array) -> Array:
         return self._sensitivity.apply_transposed(self._of_free_nodes(cotangent))
 
-    def pull_net(self, cotangent):
+    def pull_net(self, cotangent: Array) -> dict[str, Array]:
         return self._sensitivity.net_gradient(cotangent)
 
-    def push2(self, change, more):
+    def push2(self, change: Array, more: Array) -> Array:
         return self._of_all_nodes(self._sensitivity.apply_second(change, more))
 
-    def pull2(self, cotangent, change):
+    def pull2(self, cotangent: Array, change: Array) -> Array:
         return self._sensitivity.apply_second_transposed(self._of_free_nodes(cotangent), change)
 
-    def _of_free_nodes(self, of_all):
+    def _of_free_nodes(self, of_all: Array) -> Array:
         return of_all[self._net.free_nodes].ravel()
 
-    def _of_all_nodes(self, free):
+    def _of_all_nodes(self, free: Array) -> Array:
         moves = np.zeros(self.form.shape)
         moves[self._net.free_nodes] = free.reshape(-1, 3)
         return moves
@@ -101,28 +111,35 @@ class Forms:
     """The five functions for a net, of batches. Keeps the last solutions, so that value and
     derivatives for the same lengths are one solve. May be used by several threads."""
 
-    def __init__(self, net, solver=None, most_kept=None):
+    def __init__(
+        self,
+        net: _taut.CableNet,
+        solver: _taut.EquilibriumSolver | None = None,
+        most_kept: int | None = None,
+    ):
         """Keeps all solutions unless most_kept is given: then as many, or those of the last batch
         where that has more."""
         self.net = net
         self._solver = solver or _taut.EquilibriumSolver(net)
         self._most_kept = most_kept
-        self._kept = {}  # by the bytes of the lengths, the last used at the end
+        self._kept: dict[
+            bytes, Solution
+        ] = {}  # by the bytes of the lengths, the last used at the end
         self._lock = threading.Lock()
 
-    def shape(self, name):
+    def shape(self, name: str) -> tuple[int, ...]:
         """Of a result that is no batch."""
         edges, nodes = (len(self.net.edges),), (len(self.net.nodes), 3)
         return edges if name.startswith("pull") else nodes
 
-    def check(self, shape, is_floating, dtype):
+    def check(self, shape: tuple[int, ...], is_floating: bool, dtype: object) -> None:
         """Raises unless these are of lengths."""
         if shape != (expected := self.shape("pull")):
             raise ValueError(f"unstressed_lengths: got the shape {shape}, expected {expected}")
         if not is_floating:
             raise TypeError(f"unstressed_lengths: got {dtype}, expected floating point numbers")
 
-    def each(self, name, *arguments):
+    def each(self, name: str, *arguments: ArrayLike) -> Array:
         """A function of each of a batch: arguments with the same leading axes, if any."""
         lengths, *others = (np.asarray(one, dtype=float) for one in arguments)
         batch = lengths.shape[:-1]
@@ -132,7 +149,7 @@ class Forms:
             result[at] = getattr(solution, name)(*(one[at] for one in others))
         return result
 
-    def _solution(self, lengths, batch_size):
+    def _solution(self, lengths: Array, batch_size: int) -> Solution:
         key = lengths.tobytes()
         with self._lock:
             found = self._kept.pop(key, None) or Solution(self.net, self._solver, lengths)

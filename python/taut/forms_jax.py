@@ -3,36 +3,39 @@
 """The five functions of forms.py as primitives of JAX."""
 
 from functools import reduce
+from typing import Any
 
 import jax
 import jax.numpy as jnp
 from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
-from taut.forms import ALONG, NAMES, NO_THIRD, transposed
+from taut.forms import ALONG, NAMES, NO_THIRD, Forms, transposed
 
-PRIMITIVES = {}
+__all__ = ["PRIMITIVES", "jnp"]
+
+PRIMITIVES: dict[str, Any] = {}
 
 
-def _bind(name, *arguments, forms):
+def _bind(name: str, *arguments: Any, forms: Forms) -> Any:
     return PRIMITIVES[name].bind(*arguments, forms=forms)
 
 
-def _define(name):
+def _define(name: str) -> None:
     primitive = PRIMITIVES[name] = Primitive(f"taut_form_{name}")
 
-    def shape(lengths, *_, forms):
+    def shape(lengths: Any, *_: Any, forms: Forms) -> Any:
         return jax.ShapeDtypeStruct(lengths.shape[:-1] + forms.shape(name), lengths.dtype)
 
-    def solved(*arguments, forms):
+    def solved(*arguments: Any, forms: Forms) -> Any:
         return forms.each(name, *arguments).astype(arguments[0].dtype)
 
-    def called_back(*arguments, forms):
+    def called_back(*arguments: Any, forms: Forms) -> Any:
         return jax.pure_callback(
             lambda *arrays: solved(*arrays, forms=forms), shape(*arguments, forms=forms), *arguments
         )
 
-    def moved(primals, tangents, *, forms):
+    def moved(primals: Any, tangents: Any, *, forms: Forms) -> Any:
         of_lengths, *linear = tangents
         terms = [
             _bind(name, *primals[: i + 1], tangent, *primals[i + 2 :], forms=forms)
@@ -45,8 +48,8 @@ def _define(name):
             terms.append(_bind(ALONG[name], *primals, of_lengths, forms=forms))
         return _bind(name, *primals, forms=forms), reduce(ad.add_jaxvals, terms)
 
-    def pulled_back(cotangent, lengths, *linear, forms):
-        def by(i):
+    def pulled_back(cotangent: Any, lengths: Any, *linear: Any, forms: Forms) -> list[Any]:
+        def by(i: int) -> Any:
             if type(cotangent) is ad.Zero or not ad.is_undefined_primal(linear[i]):
                 return None
             other, arguments = transposed(name, i, cotangent, linear)
@@ -54,7 +57,7 @@ def _define(name):
 
         return [None, *map(by, range(len(linear)))]
 
-    def batched(arguments, axes, *, forms):
+    def batched(arguments: Any, axes: Any, *, forms: Forms) -> tuple[Any, int]:
         pairs = list(zip(arguments, axes, strict=True))
         size = next(one.shape[axis] for one, axis in pairs if axis is not None)
         same = [

@@ -2,11 +2,15 @@
 # SPDX-License-Identifier: MIT
 """The five functions of forms.py as functions of torch.autograd."""
 
+from typing import Any
+
 import torch
 
-from taut.forms import ALONG, NAMES, NO_THIRD, transposed
+from taut.forms import ALONG, NAMES, NO_THIRD, Forms, transposed
 
-FUNCTIONS = {}
+__all__ = ["FUNCTIONS", "torch"]
+
+FUNCTIONS: dict[str, Any] = {}
 
 
 class NoThird(torch.autograd.Function):
@@ -16,48 +20,48 @@ class NoThird(torch.autograd.Function):
     generate_vmap_rule = True
 
     @staticmethod
-    def forward(lengths):
+    def forward(lengths: Any) -> Any:
         return lengths.clone()
 
     @staticmethod
-    def setup_context(context, inputs, output):
+    def setup_context(context: Any, inputs: Any, output: Any) -> None:
         pass
 
     @staticmethod
-    def backward(context, cotangent):
+    def backward(context: Any, cotangent: Any) -> Any:
         raise NotImplementedError(NO_THIRD)
 
     @staticmethod
-    def jvp(context, tangent):
+    def jvp(context: Any, tangent: Any) -> Any:
         raise NotImplementedError(NO_THIRD)
 
 
-def _apply(name, forms, lengths, *linear):
+def _apply(name: str, forms: Forms, lengths: Any, *linear: Any) -> Any:
     if name not in ALONG:
         lengths = NoThird.apply(lengths)
     return FUNCTIONS[name].apply(forms, lengths, *linear)
 
 
-def _define(name):
+def _define(name: str) -> None:
     class Function(torch.autograd.Function):
         @staticmethod
-        def forward(forms, *arguments):
+        def forward(forms: Forms, *arguments: Any) -> Any:
             lengths = arguments[0]
             result = forms.each(name, *(one.detach().cpu().double().numpy() for one in arguments))
             return torch.as_tensor(result, dtype=lengths.dtype, device=lengths.device)
 
         @staticmethod
-        def setup_context(context, inputs, output):  # noqa: ARG004 - its name is given
+        def setup_context(context: Any, inputs: Any, output: Any) -> None:  # noqa: ARG004 - its name is given
             context.forms, *arguments = inputs
             context.save_for_backward(*arguments)
             context.save_for_forward(*arguments)
             context.set_materialize_grads(False)
 
         @staticmethod
-        def backward(context, cotangent):
+        def backward(context: Any, cotangent: Any) -> Any:
             lengths, *linear = context.saved_tensors
             _, of_lengths, *wanted = context.needs_input_grad
-            results = [None] * (2 + len(linear))
+            results: list[Any] = [None] * (2 + len(linear))
             if cotangent is None:
                 return tuple(results)
             if of_lengths and name not in ALONG:
@@ -72,7 +76,7 @@ def _define(name):
             return tuple(results)
 
         @staticmethod
-        def jvp(context, _, of_lengths, *tangents):
+        def jvp(context: Any, _: Any, of_lengths: Any, *tangents: Any) -> Any:
             lengths, *linear = context.saved_tensors
             terms = [
                 _apply(name, context.forms, lengths, *linear[:i], tangent, *linear[i + 1 :])
@@ -84,7 +88,7 @@ def _define(name):
             return sum(terms[1:], terms[0]) if terms else None
 
         @staticmethod
-        def vmap(info, axes, forms, *arguments):
+        def vmap(info: Any, axes: Any, forms: Forms, *arguments: Any) -> tuple[Any, int]:
             same = [
                 one.expand(info.batch_size, *one.shape) if axis is None else one.movedim(axis, 0)
                 for one, axis in zip(arguments, axes[1:], strict=True)

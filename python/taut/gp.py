@@ -10,17 +10,22 @@ decomposition, so that each length scale costs one.
 from __future__ import annotations
 
 import warnings
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
 from sklearn.exceptions import ConvergenceWarning
 from sklearn.utils import check_random_state
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from taut import _taut, calls
+from taut._taut import FittedProcesses
 
-FittedProcesses = _taut.FittedProcesses
-fit = calls.naming_arguments(_taut._fit_processes, "fit")
+if TYPE_CHECKING:
+    from taut._taut import _fit_processes as fit
+else:
+    fit = calls.naming_arguments(_taut._fit_processes, "fit")
 
 __all__ = ["FittedProcesses", "MultiOutputGP", "fit"]
 
@@ -55,6 +60,16 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
             (m,). Standard deviations and leave-one-out errors contain it.
     """
 
+    length_scale_: NDArray[np.float64]
+    signal_std_: NDArray[np.float64]
+    noise_std_: NDArray[np.float64]
+    log_marginal_likelihood_: NDArray[np.float64]
+    n_iter_: int
+    leave_one_out_rmse_: NDArray[np.float64]
+    rank_: int | None
+    left_out_: float
+    approximation_error_: NDArray[np.float64]
+
     def __init__(
         self,
         relative_tolerance: float = 1e-7,
@@ -67,16 +82,16 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.most_decomposed = most_decomposed
         self.rank = rank
 
-    def fit(self, X, y):
+    def fit(self, X: ArrayLike, y: ArrayLike) -> MultiOutputGP:
         """Estimates hyperparameters by maximum marginal likelihood: X (n, d), y (n,) or (n, m)."""
-        X, y = validate_data(
+        inputs, targets = validate_data(
             self, X, y, multi_output=True, y_numeric=True, dtype=np.float64, ensure_min_samples=2
         )
-        self._is_flat = y.ndim == 1
-        outputs = np.asarray(y, dtype=np.float64).reshape(len(X), -1)
+        self._is_flat = targets.ndim == 1
+        outputs = np.asarray(targets, dtype=np.float64).reshape(len(inputs), -1)
         self._mean = outputs.mean(axis=0)
         self._processes = fit(
-            X,
+            inputs,
             outputs - self._mean,
             relative_tolerance=self.relative_tolerance,
             max_spectra=self.max_spectra,
@@ -103,14 +118,14 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.approximation_error_ = self._processes.approximation_error
         return self
 
-    def _inputs(self, X):
+    def _inputs(self, X: ArrayLike) -> Any:
         check_is_fitted(self)
         return validate_data(self, X, reset=False, dtype=np.float64)
 
-    def _shaped(self, values):
+    def _shaped(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         return values[:, 0] if self._is_flat else values
 
-    def predict(self, X, return_std=False, return_cov=False):
+    def predict(self, X: ArrayLike, return_std: bool = False, return_cov: bool = False) -> Any:
         """Mean at X (k, d): (k,) or (k, m), of the latent function.
 
         With its standard deviation in the same shape, or its covariance (k, k) or (k, k, m).
@@ -125,7 +140,9 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
             return mean, of_each[0] if self._is_flat else np.stack(of_each, axis=-1)
         return (mean, self._shaped(std)) if return_std else mean
 
-    def sample_y(self, X, n_samples=1, random_state=0):
+    def sample_y(
+        self, X: ArrayLike, n_samples: int = 1, random_state: Any = 0
+    ) -> NDArray[np.float64]:
         """Samples of the latent functions: (k, n_samples), or (k, m, n_samples)."""
         inputs = self._inputs(X)
         random = check_random_state(random_state)

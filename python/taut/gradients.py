@@ -13,12 +13,15 @@ kink, and the derivatives are those of one side.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from taut import _taut
 from taut.forms import Forms, Solution
+
+Gradient = TypeVar("Gradient")
 
 __all__ = ["form_vjp", "jax_form", "net_vjp", "torch_form"]
 
@@ -68,11 +71,16 @@ def net_vjp(
     return _vjp(net, net.unstressed_lengths, start, Solution.pull_net)
 
 
-def _vjp(net, lengths, start, pull):
+def _vjp(
+    net: _taut.CableNet,
+    lengths: NDArray[Any],
+    start: ArrayLike | None,
+    pull: Callable[[Solution, NDArray[np.float64]], Gradient],
+) -> tuple[NDArray[np.float64], Callable[[ArrayLike], Gradient]]:
     solution = Solution(net, _taut.EquilibriumSolver(net), lengths, start)
     shape = solution.form.shape
 
-    def pullback(cotangent):
+    def pullback(cotangent: ArrayLike) -> Gradient:
         cotangent = np.asarray(cotangent, dtype=float)
         if cotangent.shape != shape:
             raise ValueError(f"cotangent: got the shape {cotangent.shape}, expected {shape}")
@@ -81,7 +89,7 @@ def _vjp(net, lengths, start, pull):
     return solution.form, pullback
 
 
-def jax_form(net: _taut.CableNet) -> Callable:
+def jax_form(net: _taut.CableNet) -> Callable[[Any], Any]:
     """form(lengths) for JAX: (m,) to (n, 3). First and second derivatives in either mode (grad,
     jvp, jacfwd, jacrev, hessian), jit and vmap; third derivatives raise NotImplementedError. Value
     and derivatives for the same lengths are one solve. Warns as form_vjp does.
@@ -95,7 +103,7 @@ def jax_form(net: _taut.CableNet) -> Callable:
 
     forms = Forms(net, most_kept=4)
 
-    def form(lengths):
+    def form(lengths: Any) -> Any:
         lengths = jnp.asarray(lengths)
         forms.check(lengths.shape, jnp.issubdtype(lengths.dtype, jnp.floating), lengths.dtype)
         return PRIMITIVES["value"].bind(lengths, forms=forms)
@@ -103,7 +111,7 @@ def jax_form(net: _taut.CableNet) -> Callable:
     return form
 
 
-def torch_form(net: _taut.CableNet) -> Callable:
+def torch_form(net: _taut.CableNet) -> Callable[[Any], Any]:
     """form(lengths) for PyTorch: (m,) to (n, 3), computed on the CPU. First and second derivatives
     by torch.autograd and torch.func in either mode, and vmap; third derivatives raise
     NotImplementedError. A derivative does not solve for the form again. Warns as form_vjp does.
@@ -118,13 +126,13 @@ def torch_form(net: _taut.CableNet) -> Callable:
 
     solver = _taut.EquilibriumSolver(net)
 
-    def solved(lengths):
+    def solved(lengths: Any) -> Any:
         lengths = torch.as_tensor(lengths)
         forms = Forms(net, solver)
         forms.check(tuple(lengths.shape), lengths.is_floating_point(), lengths.dtype)
         return FUNCTIONS["value"].apply(forms, lengths)
 
-    def form(lengths):
+    def form(lengths: Any) -> Any:
         if torch.compiler.is_compiling():  # not before: to import the compiler takes seconds
             torch._dynamo.graph_break(msg="taut solves for the form outside of PyTorch")
             return torch.compiler.disable(solved)(lengths)

@@ -4,26 +4,84 @@
 
 from __future__ import annotations
 
+import hashlib
 import html
+import json
+import sys
+import uuid
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from taut import _taut
 
+#: Whether the page of reports, 1.2 MB, is in a notebook once, with the first result that a kernel
+#: shows. Where cells cannot see each other, as in Google Colab, each has its own.
+share_page: bool = "ipykernel" in sys.modules and "google.colab" not in sys.modules
 
-def result_html(result) -> str:
-    """The report of an identification or a plan, inside the cell."""
-    if not _taut.has_report_viewer():
-        return f"<pre>{html.escape(repr(result))}</pre>"
-    page = html.escape(_taut._report_html(result.to_json()), quote=True)
+_page_shown = ""  # a digest of the page that an earlier cell holds
+
+_MARK = '<script type="application/json" id="result">'
+
+#: As soon as the cell with the page is there: a notebook may show its cells in any order.
+_SHOW = """
+(function show(tries) {
+  const page = document.querySelector('iframe[data-taut-page="%(page)s"]');
+  const frame = document.getElementById("%(frame)s");
+  if (page) {
+    const begin = page.srcdoc.indexOf(%(mark)s) + %(mark)s.length;
+    const end = page.srcdoc.indexOf("\\u003c/script>", begin);
+    frame.srcdoc = page.srcdoc.slice(0, begin) + %(data)s + page.srcdoc.slice(end);
+  } else if (tries > 0) {
+    setTimeout(show, 250, tries - 1);
+  }
+})(240);
+"""
+
+_WAITING = (
+    "<p>This report is shown with the page of the first one in the notebook. Where that is gone, "
+    "restart the kernel and run all cells, or set taut.notebook.share_page = False.</p>"
+)
+
+
+def _frame(page: str, title: str, attribute: str) -> str:
     return (
-        f'<iframe srcdoc="{page}" sandbox="allow-scripts allow-downloads" '
+        f'<iframe srcdoc="{html.escape(page, quote=True)}" {attribute} '
+        'sandbox="allow-scripts allow-downloads" '
         'style="width:100%;height:720px;border:1px solid #ccc" '
-        f'title="{html.escape(repr(result), quote=True)}"></iframe>'
+        f'title="{html.escape(title, quote=True)}"></iframe>'
     )
 
 
-def _seen_from_the_side(nodes):
+def _in_script(text: str) -> str:
+    return json.dumps(text).replace("<", "\\u003c")
+
+
+def result_html(result: _taut.Identification | _taut.Plan) -> str:
+    """The report of an identification or a plan, inside the cell."""
+    global _page_shown
+    if not _taut.has_report_viewer():
+        return f"<pre>{html.escape(repr(result))}</pre>"
+    page = _taut._report_html(result.to_json())
+    begin = page.index(_MARK) + len(_MARK)
+    end = page.index("</script>", begin)
+    digest = hashlib.sha256(page[end:].encode()).hexdigest()[:16]
+    is_first = not share_page or digest != _page_shown
+    if is_first:
+        _page_shown = digest
+        return _frame(page, repr(result), f'data-taut-page="{digest}"')
+    frame = f"taut-{uuid.uuid4().hex}"
+    script = _SHOW % {
+        "page": digest,
+        "frame": frame,
+        "mark": _in_script(_MARK),
+        "data": _in_script(page[begin:end]),
+    }
+    return _frame(_WAITING, repr(result), f'id="{frame}"') + f"<script>{script}</script>"
+
+
+def _seen_from_the_side(nodes: NDArray[np.float64]) -> NDArray[np.float64]:
     """Places on the page of an axonometric drawing: x to the right, y to the back, z up."""
     azimuth, height = np.radians(-35.0), np.radians(35.0)
     x, y, z = (nodes - nodes.mean(axis=0)).T
@@ -32,7 +90,7 @@ def _seen_from_the_side(nodes):
     return np.column_stack([right, -(z * np.cos(height) + back * np.sin(height))])
 
 
-def net_html(net) -> str:
+def net_html(net: _taut.CableNet) -> str:
     """A drawing of the net: supports as dots, adjustable edges in colour."""
     places = _seen_from_the_side(np.asarray(net.nodes))
     low, extent = places.min(axis=0), np.ptp(places, axis=0)
@@ -41,7 +99,7 @@ def net_html(net) -> str:
     width, height = extent * scale + 24.0
     edges = np.asarray(net.edges)
 
-    def path(which):
+    def path(which: NDArray[Any]) -> str:
         return " ".join(
             "M{:.1f} {:.1f}L{:.1f} {:.1f}".format(*places[s], *places[t]) for s, t in edges[which]
         )

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""The figures of a saved result, for print: python -m taut.plot result.json -o figures/
+"""The figures of a net or a result, for print: python -m taut.plot result.json -o figures/
 
-Of a study (taut reproduce) those of the paper's section 5; of an identification lengths, tensions
-and residuals; of a plan the form before and after, strokes and tensions. In mm and kN.
+Of a net its plan; of a study (taut reproduce) those of the paper's section 5; of an
+identification lengths, tensions and residuals; of a plan the form before and after, strokes and
+tensions. In mm and kN.
 """
 
 from __future__ import annotations
@@ -11,17 +12,28 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["figures", "save_figures"]
+__all__ = ["draw", "figures", "save_figures"]
+
+#: What a file of a result holds.
+Result = dict[str, Any]
+
+#: What draws a figure into axes, and the figure's height [inches].
+Drawing = tuple[Callable[[Axes], None], float]
 
 #: One column of a journal, and serif numbers as in its text.
-STYLE = {
+STYLE: Any = {
     "font.size": 8,
     "axes.spines.top": False,
     "axes.spines.right": False,
@@ -36,19 +48,19 @@ STYLE = {
     "pdf.fonttype": 42,
 }
 COLUMN = 3.5  # inches
+LOW, HIGH = 2.3, 3.0
 BLUE, ORANGE, GREY = "#2563a8", "#d9480f", "#8a94a0"
 
 
-def _new(height=2.3, width=COLUMN):
-    figure = Figure(figsize=(width, height), layout="constrained")
-    return figure, figure.add_subplot()
+def _legend(axes: Axes, columns: int) -> None:
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns)
 
 
-def _plan_lines(net, nodes):
+def _plan_lines(net: Result, nodes: ArrayLike) -> Any:
     return np.asarray(nodes)[np.asarray(net["edges"])][:, :, :2]
 
 
-def _net_in_plan(axes, net, nodes):
+def _net_in_plan(axes: Axes, net: Result, nodes: ArrayLike) -> None:
     adjustable = np.zeros(len(net["edges"]), dtype=bool)
     adjustable[net.get("adjustable", [])] = True
     lines = _plan_lines(net, nodes)
@@ -60,75 +72,94 @@ def _net_in_plan(axes, net, nodes):
     axes.set_ylabel("y [m]")
 
 
-def _net(net, nodes):
-    figure, axes = _new(3.0)
-    _net_in_plan(axes, net, nodes)
-    places = np.asarray(nodes)[net["supports"]]
-    axes.plot(*places[:, :2].T, "o", color="black", markersize=1.6, label="support")
-    axes.plot([], [], color=ORANGE, label="adjustable edge")
-    figure.legend(loc="outside upper right", ncols=2)
-    return figure
+def _net(net: Result, nodes: ArrayLike) -> Drawing:
+    def draw(axes: Axes) -> None:
+        _net_in_plan(axes, net, nodes)
+        places = np.asarray(nodes)[net["supports"]]
+        axes.plot(*places[:, :2].T, "o", color="black", markersize=1.6, label="support")
+        axes.plot([], [], color=ORANGE, label="adjustable edge")
+        _legend(axes, 2)
+
+    return draw, HIGH
 
 
-def _map(net, nodes, which, values, label, most=None):
+def _net_alone(net: Result) -> Iterator[tuple[str, Drawing]]:
+    yield "net_plan", _net(net, net["nodes"])
+
+
+def _map(
+    net: Result,
+    nodes: ArrayLike,
+    which: ArrayLike,
+    values: ArrayLike,
+    label: str,
+    most: float | None = None,
+) -> Drawing:
     """Numbers of nodes over the net in plan [mm]."""
-    figure, axes = _new(3.0)
-    axes.add_collection(
-        LineCollection(_plan_lines(net, nodes), colors="#c8ced4", linewidths=0.4, zorder=0)
-    )
-    places = np.asarray(nodes)[which]
-    dots = axes.scatter(
-        *places[:, :2].T, c=1e3 * np.asarray(values), s=9, cmap="viridis", vmin=0.0, vmax=most
-    )
-    figure.colorbar(dots, ax=axes, label=f"{label} [mm]", location="top", shrink=0.8, aspect=40)
-    axes.set_aspect("equal")
-    axes.set_xlabel("x [m]")
-    axes.set_ylabel("y [m]")
-    return figure
+
+    def draw(axes: Axes) -> None:
+        axes.add_collection(
+            LineCollection(_plan_lines(net, nodes), colors="#c8ced4", linewidths=0.4, zorder=0)
+        )
+        x, y, _ = np.asarray(nodes)[np.asarray(which)].T
+        dots = axes.scatter(
+            x, y, c=1e3 * np.asarray(values), s=9, cmap="viridis", vmin=0.0, vmax=most
+        )
+        axes.figure.colorbar(
+            dots, ax=axes, label=f"{label} [mm]", location="top", shrink=0.8, aspect=40
+        )
+        axes.set_aspect("equal")
+        axes.set_xlabel("x [m]")
+        axes.set_ylabel("y [m]")
+
+    return draw, HIGH
 
 
-def _free_nodes(net):
+def _free_nodes(net: Result) -> NDArray[Any]:
     """Supports that give way are free nodes, too."""
     stiffness = net.get("support_stiffness") or [None] * len(net["supports"])
     rigid = [node for i, node in enumerate(net["supports"]) if stiffness[i] is None]
     return np.setdiff1d(np.arange(len(net["nodes"])), rigid)
 
 
-def _study(result):
+def _study(result: Result) -> Iterator[tuple[str, Drawing]]:
     net, sample, errors = result["cable_net"], result["sample"], result["errors"]
     free = _free_nodes(net)
     true, identified = np.array(sample["true"]), np.array(sample["identified"])
     yield "net_plan", _net(net, result["nominal_form"])
 
-    figure, axes = _new()
     index = np.arange(1, len(true) + 1)
-    axes.plot(index, 1e3 * true, color=GREY, label=r"true $\Delta l_0$")
-    axes.plot(index, 1e3 * identified, ":", color=BLUE, label=r"identified $\Delta l_0$")
-    axes.plot(index, 1e3 * (identified - true), color=ORANGE, label="error")
-    axes.set_xlabel("interior edge")
-    axes.set_ylabel("length deviation [mm]")
-    figure.legend(loc="outside upper center", ncols=3)
-    yield "length_deviations", figure
 
-    figure, axes = _new()
-    mean, std = 1e3 * np.array(errors["mean"]), 1e3 * np.array(errors["std"])
-    if errors.get("all"):
-        every = 1e3 * np.array(errors["all"])
-        axes.plot(
-            np.broadcast_to(index[:, None], every.shape).ravel(),
-            every.ravel(),
-            ".",
-            color="#c8ced4",
-            markersize=0.8,
-            rasterized=True,
-        )
-    axes.plot(index, mean, color=BLUE, label="mean")
-    axes.plot(index, mean + std, color=ORANGE, linewidth=0.6, label="mean ± standard deviation")
-    axes.plot(index, mean - std, color=ORANGE, linewidth=0.6)
-    axes.set_xlabel("interior edge")
-    axes.set_ylabel("error of the identified length [mm]")
-    figure.legend(loc="outside upper center", ncols=2)
-    yield "length_errors", figure
+    def deviations(axes: Axes) -> None:
+        axes.plot(index, 1e3 * true, color=GREY, label=r"true $\Delta l_0$")
+        axes.plot(index, 1e3 * identified, ":", color=BLUE, label=r"identified $\Delta l_0$")
+        axes.plot(index, 1e3 * (identified - true), color=ORANGE, label="error")
+        axes.set_xlabel("interior edge")
+        axes.set_ylabel("length deviation [mm]")
+        _legend(axes, 3)
+
+    yield "length_deviations", (deviations, LOW)
+
+    def of_all(axes: Axes) -> None:
+        mean, std = 1e3 * np.array(errors["mean"]), 1e3 * np.array(errors["std"])
+        if errors.get("all"):
+            every = 1e3 * np.array(errors["all"])
+            axes.plot(
+                np.broadcast_to(index[:, None], every.shape).ravel(),
+                every.ravel(),
+                ".",
+                color="#c8ced4",
+                markersize=0.8,
+                rasterized=True,
+            )
+        axes.plot(index, mean, color=BLUE, label="mean")
+        axes.plot(index, mean + std, color=ORANGE, linewidth=0.6, label="mean ± standard deviation")
+        axes.plot(index, mean - std, color=ORANGE, linewidth=0.6)
+        axes.set_xlabel("interior edge")
+        axes.set_ylabel("error of the identified length [mm]")
+        _legend(axes, 2)
+
+    yield "length_errors", (of_all, LOW)
 
     most = 1e3 * max(sample["form_error"]["nominal"])
     for which in ("nominal", "identified"):
@@ -145,7 +176,9 @@ def _study(result):
         )
 
 
-def _intervals(axes, values, lower, upper, wrong=None):
+def _intervals(
+    axes: Axes, values: Any, lower: Any, upper: Any, wrong: NDArray[np.bool_] | None = None
+) -> None:
     index = np.arange(1, len(values) + 1)
     order = np.argsort(values, kind="stable")
     axes.vlines(index, lower[order], upper[order], color=BLUE, linewidth=0.5, label="95 % interval")
@@ -160,39 +193,39 @@ def _intervals(axes, values, lower, upper, wrong=None):
         )
 
 
-def _identification(result):
+def _identification(result: Result) -> Iterator[tuple[str, Drawing]]:
     net, edges = result["cable_net"], result["edges"]
     yield "net_plan", _net(net, result["form"])
 
-    def column(name, of=edges):
+    def column(name: str, of: Any = edges) -> NDArray[np.float64]:
         return np.array([np.nan if edge[name] is None else edge[name] for edge in of], dtype=float)
 
     outliers = {one["edge"] for one in (result.get("diagnostics") or {}).get("length_outliers", [])}
     wrong = np.array([edge["edge"] in outliers for edge in edges])
-    figure, axes = _new()
-    _intervals(
-        axes,
-        *(1e3 * column(name) for name in ("length_deviation", "lower", "upper")),
-        wrong,
-    )
-    axes.axhline(0.0, color=GREY, linewidth=0.5)
-    axes.set_xlabel("interior edge, by its deviation")
-    axes.set_ylabel("length deviation [mm]")
-    figure.legend(loc="outside upper center", ncols=3)
-    yield "length_intervals", figure
+
+    def lengths(axes: Axes) -> None:
+        off, lower, upper = (1e3 * column(name) for name in ("length_deviation", "lower", "upper"))
+        _intervals(axes, off, lower, upper, wrong)
+        axes.axhline(0.0, color=GREY, linewidth=0.5)
+        axes.set_xlabel("interior edge, by its deviation")
+        axes.set_ylabel("length deviation [mm]")
+        _legend(axes, 3)
+
+    yield "length_intervals", (lengths, LOW)
 
     every = sorted(edges + result.get("adjustable_edges", []), key=lambda edge: edge["edge"])
     if every and all(edge.get("tension_lower") is not None for edge in every):
-        figure, axes = _new()
-        _intervals(
-            axes,
-            *(1e-3 * column(name, every) for name in ("tension", "tension_lower", "tension_upper")),
-        )
-        axes.axhline(0.0, color=GREY, linewidth=0.5)
-        axes.set_xlabel("edge, by its tension")
-        axes.set_ylabel("tension [kN]")
-        figure.legend(loc="outside upper center", ncols=2)
-        yield "tension_intervals", figure
+
+        def tensions(axes: Axes) -> None:
+            names = "tension", "tension_lower", "tension_upper"
+            tension, lower, upper = (1e-3 * column(name, every) for name in names)
+            _intervals(axes, tension, lower, upper)
+            axes.axhline(0.0, color=GREY, linewidth=0.5)
+            axes.set_xlabel("edge, by its tension")
+            axes.set_ylabel("tension [kN]")
+            _legend(axes, 2)
+
+        yield "tension_intervals", (tensions, LOW)
 
     residuals = result["survey"]["residuals"]
     if residuals:
@@ -204,7 +237,7 @@ def _identification(result):
         )
 
 
-def _plan(result):
+def _plan(result: Result) -> Iterator[tuple[str, Drawing]]:
     net = result["cable_net"]
     free = _free_nodes(net)
     target, normals = np.array(result["target_form"]), np.array(result["target_normals"])
@@ -220,68 +253,117 @@ def _plan(result):
         )
 
     turns = sorted(result["turns"], key=lambda turn: turn["stroke"])
-    figure, axes = _new()
-    axes.bar(range(1, len(turns) + 1), [1e3 * turn["stroke"] for turn in turns], color=BLUE)
-    axes.axhline(0.0, color="black", linewidth=0.5)
-    axes.set_xlabel("turned edge, by its stroke")
-    axes.set_ylabel("stroke, + lengthens [mm]")
-    yield "plan_strokes", figure
+
+    def strokes(axes: Axes) -> None:
+        axes.bar(range(1, len(turns) + 1), [1e3 * turn["stroke"] for turn in turns], color=BLUE)
+        axes.axhline(0.0, color="black", linewidth=0.5)
+        axes.set_xlabel("turned edge, by its stroke")
+        axes.set_ylabel("stroke, + lengthens [mm]")
+
+    yield "plan_strokes", (strokes, LOW)
 
     edges = sorted(result["tension"]["edges"], key=lambda edge: edge["planned"])
-    figure, axes = _new()
-    index = np.arange(1, len(edges) + 1)
-    if all(edge["lower"] is not None for edge in edges):
-        axes.vlines(
-            index,
-            [1e-3 * edge["lower"] for edge in edges],
-            [1e-3 * edge["upper"] for edge in edges],
-            color=BLUE,
-            linewidth=0.5,
-            label="95 % interval",
-        )
-    for name, label, style in (
-        ("as_built", "as built", {"color": GREY, "marker": ".", "markersize": 1.5}),
-        ("planned", "planned", {"color": "black", "marker": ".", "markersize": 1.5}),
-    ):
-        axes.plot(index, [1e-3 * edge[name] for edge in edges], linestyle="", label=label, **style)
-    for name in ("limit_lower", "limit_upper"):
-        limits = [np.nan if edge[name] is None else 1e-3 * edge[name] for edge in edges]
-        if np.isfinite(limits).any():
-            axes.plot(index, limits, color=ORANGE, linewidth=0.7, label="limit")
-    handles, labels = axes.get_legend_handles_labels()
-    once = dict(zip(labels, handles, strict=True))
-    figure.legend(once.values(), once.keys(), loc="outside upper center", ncols=4)
-    axes.set_xlabel("edge, by its planned tension")
-    axes.set_ylabel("tension [kN]")
-    yield "plan_tensions", figure
+
+    def tensions(axes: Axes) -> None:
+        index = np.arange(1, len(edges) + 1)
+        if all(edge["lower"] is not None for edge in edges):
+            axes.vlines(
+                index,
+                [1e-3 * edge["lower"] for edge in edges],
+                [1e-3 * edge["upper"] for edge in edges],
+                color=BLUE,
+                linewidth=0.5,
+                label="95 % interval",
+            )
+        for name, label, color in (("as_built", "as built", GREY), ("planned", "planned", "black")):
+            values = [1e-3 * edge[name] for edge in edges]
+            axes.plot(index, values, ".", color=color, markersize=1.5, label=label)
+        for name in ("limit_lower", "limit_upper"):
+            limits = [np.nan if edge[name] is None else 1e-3 * edge[name] for edge in edges]
+            if np.isfinite(limits).any():
+                is_drawn = "limit" in axes.get_legend_handles_labels()[1]
+                label = "_limit" if is_drawn else "limit"
+                axes.plot(index, limits, color=ORANGE, linewidth=0.7, label=label)
+        _legend(axes, 4)
+        axes.set_xlabel("edge, by its planned tension")
+        axes.set_ylabel("tension [kN]")
+
+    yield "plan_tensions", (tensions, LOW)
 
 
-_OF = {"taut-study": _study, "taut-identification": _identification, "taut-plan": _plan}
+_OF = {
+    "taut-net": _net_alone,
+    "taut-study": _study,
+    "taut-identification": _identification,
+    "taut-plan": _plan,
+}
 
 
-def figures(result: dict) -> dict[str, Figure]:
-    """The figures of a result: {name: matplotlib.figure.Figure}.
+@contextmanager
+def _whole() -> Iterator[None]:
+    try:
+        yield
+    except LookupError as error:
+        raise ValueError(f"result: is not whole, it lacks {error}") from error
 
-    Args:
-        result: of to_dict(), or what json.load() gives of results.json, result.json or plan.json.
 
-    Raises:
-        ValueError: for what is none of these.
-    """
+def _drawings(result: Any) -> dict[str, Drawing]:
+    result = result.to_dict() if hasattr(result, "to_dict") else result
     form = result.get("format") if isinstance(result, dict) else None
     if form not in _OF:
         raise ValueError(f"result: has the format {form!r}, expected one of {', '.join(_OF)}")
     status = result.get("status", "converged")
     if status != "converged":
         raise ValueError(f"result: has no lengths, its status is {status!r}")
-    try:
-        with mpl.rc_context(STYLE):
-            return dict(_OF[form](result))
-    except LookupError as error:
-        raise ValueError(f"result: is no whole {form}, it lacks {error}") from error
+    with _whole():
+        return dict(_OF[form](result))
 
 
-def save_figures(result: dict, folder: str | Path, *, file_format: str = "pdf") -> list[Path]:
+def figures(result: Any) -> dict[str, Figure]:
+    """The figures of a net or a result: {name: matplotlib.figure.Figure}.
+
+    Args:
+        result: CableNet, Identification or Plan; what reproduce() returns; or what json.load()
+            gives of net.json, results.json, result.json or plan.json.
+
+    Raises:
+        ValueError: for what is none of these.
+    """
+    made = {}
+    with mpl.rc_context(STYLE), _whole():
+        for name, (draw_into, height) in _drawings(result).items():
+            made[name] = Figure(figsize=(COLUMN, height), layout="constrained")
+            draw_into(made[name].add_subplot())
+    return made
+
+
+def draw(result: Any, name: str, *, ax: Axes | None = None) -> Axes:
+    """One figure of a net or a result, in axes of your own.
+
+    Args:
+        result: as of figures().
+        name: of the figure: a key of what figures() returns.
+        ax: matplotlib.axes.Axes to draw into, by default those of pyplot.
+
+    Returns:
+        The axes.
+
+    Raises:
+        ValueError: where the result has no such figure.
+    """
+    drawings = _drawings(result)
+    if name not in drawings:
+        raise ValueError(f"name: got {name!r}, expected one of {', '.join(drawings)}")
+    if ax is None:
+        from matplotlib import pyplot
+
+        ax = pyplot.gca()
+    with _whole():
+        drawings[name][0](ax)
+    return ax
+
+
+def save_figures(result: Any, folder: str | Path, *, file_format: str = "pdf") -> list[Path]:
     """Writes the figures of a result into a folder, and gives their paths."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -293,7 +375,7 @@ def save_figures(result: dict, folder: str | Path, *, file_format: str = "pdf") 
     return paths
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     """python -m taut.plot"""
     parser = argparse.ArgumentParser(prog="python -m taut.plot", description=__doc__)
     parser.formatter_class = argparse.RawDescriptionHelpFormatter

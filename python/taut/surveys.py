@@ -7,17 +7,16 @@ from __future__ import annotations
 import itertools
 import os
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from taut import _taut
 
 
-def _column(table, name):
-    """A column of numbers of a data frame or mapping, None where there is none."""
-    if name not in table:
-        return None
+def _column(table: Any, name: str) -> NDArray[Any]:
+    """A column of numbers of a data frame or mapping."""
     if np.ma.is_masked(table[name]):
         raise ValueError(f"{name}: has masked entries, expected a number everywhere")
     column = np.asarray(table[name])
@@ -26,7 +25,7 @@ def _column(table, name):
     return column
 
 
-def _of_columns(columns):
+def _of_columns(columns: dict[str, NDArray[Any]]) -> NDArray[Any]:
     """Columns of one length, by name, beside each other."""
     if len({column.shape for column in columns.values()}) > 1:
         sizes = ", ".join(f"{name} {column.shape}" for name, column in columns.items())
@@ -34,7 +33,7 @@ def _of_columns(columns):
     return np.column_stack(list(columns.values()))
 
 
-def _of_table(table, ids):
+def _of_table(table: Any, ids: Any) -> tuple[NDArray[Any], Any, NDArray[Any] | None]:
     """Positions, names and standard deviations out of columns x, y, z, id, sx, sy, sz."""
     missing = [name for name in "xyz" if name not in table]
     if missing:
@@ -53,7 +52,7 @@ def _of_table(table, ids):
     return positions, ids, _of_columns(stds) if stds else None
 
 
-def _names(ids, count):
+def _names(ids: object, count: int) -> list[str] | None:
     """Names as text. Whole numbers that went through floats lose their '.0'. An endless source of
     names is refused after one more than there are points."""
     if ids is None:
@@ -70,7 +69,7 @@ def _names(ids, count):
     return names
 
 
-def _noise(noise, count):
+def _noise(noise: Any, count: int) -> tuple[float | None, NDArray[np.float64] | None]:
     """One number for all, or one of each coordinate (count, 3): the number, the array."""
     if noise is None:
         return None, None
@@ -88,7 +87,7 @@ def _noise(noise, count):
     return None, array
 
 
-def _text(name, value):
+def _text(name: str, value: object) -> str:
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"{name}: got {type(value).__name__}, expected text")
     return os.fspath(value)
@@ -163,25 +162,26 @@ def read_survey(
         "frame": frame, "control": control, "unit": unit, "match": match,
         "offset": offset, "offsets": offsets, **of_file,
     }  # fmt: skip
-    given = {name: _text(name, value) for name, value in given.items() if value is not None}
+    texts = {name: _text(name, value) for name, value in given.items() if value is not None}
     if isinstance(source, (str, os.PathLike)):
         if ids is not None:
             raise ValueError("ids: are for an array of points, and source is a file")
-        noise, stds = _noise(noise, 0)
+        std, stds = _noise(noise, 0)
         if stds is not None:
             raise ValueError("noise: got an array, expected one number for a file")
-        return _taut._read_survey_file(net, source, noise, given)
-    for name in of_file.keys() & given.keys():
+        return _taut._read_survey_file(net, source, std, texts)
+    for name in of_file.keys() & texts.keys():
         raise ValueError(f"{name}: is for a file, and source holds points")
     if isinstance(source, Mapping) or hasattr(source, "columns"):
         positions, ids, stds = _of_table(source, ids)
     else:
-        positions, stds = source, None
+        positions, stds = np.asanyarray(source), None
     if stds is not None and noise is not None:
         raise ValueError("noise: is given by the columns sx, sy, sz of source, too: leave out one")
     count = np.shape(positions)[0] if np.ndim(positions) else 0
     in_metres = stds is None  # columns are in the unit of the coordinates
+    std = None
     if in_metres:
-        noise, stds = _noise(noise, count)
+        std, stds = _noise(noise, count)
     names = _names(ids, count)
-    return _taut._survey_of_points(net, positions, names, stds, in_metres, noise, given)
+    return _taut._survey_of_points(net, positions, names, stds, in_metres, std, texts)

@@ -4,10 +4,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from taut import _taut
+
+if TYPE_CHECKING:
+    import pandas
 
 
-def _frame(columns, index):
+def _frame(columns: dict[str, Any], index: str) -> pandas.DataFrame:
     try:
         import pandas
     except ImportError as error:
@@ -15,7 +23,7 @@ def _frame(columns, index):
     return pandas.DataFrame(columns).set_index(index)
 
 
-def _edges(net):
+def _edges(net: _taut.CableNet) -> dict[str, Any]:
     edges = np.asarray(net.edges)
     return {
         "edge": np.arange(len(edges)),
@@ -25,7 +33,7 @@ def _edges(net):
     }
 
 
-def net_frame(net):
+def net_frame(net: _taut.CableNet) -> pandas.DataFrame:
     """CableNet.to_dataframe()."""
     adjustable = np.zeros(len(net.edges), dtype=bool)
     adjustable[net.adjustable_edges] = True
@@ -40,14 +48,14 @@ def net_frame(net):
     )
 
 
-def identification_frame(found):
+def identification_frame(found: _taut.Identification) -> pandas.DataFrame:
     """Identification.to_dataframe()."""
     net = found.net
     columns = _edges(net)
     interior = found.edge
     count = len(net.edges)
 
-    def of_all(values):
+    def of_all(values: ArrayLike) -> NDArray[np.float64]:
         column = np.full(count, np.nan)
         column[interior] = values
         return column
@@ -69,7 +77,7 @@ def identification_frame(found):
     return _frame(columns, "edge")
 
 
-def plan_frame(plan):
+def plan_frame(plan: _taut.Plan) -> pandas.DataFrame:
     """Plan.to_dataframe()."""
     net = plan.net
     edges = np.asarray(plan.edges, dtype=int)
@@ -87,13 +95,13 @@ def plan_frame(plan):
     )
 
 
-def precision_frame(precision):
+def precision_frame(precision: _taut.PredictedPrecision) -> pandas.DataFrame:
     """PredictedPrecision.to_dataframe()."""
     columns = {"edge": precision.edge, "std": precision.std, "status": precision.edge_status}
     return _frame(columns, "edge")
 
 
-def survey_frame(survey, net):
+def survey_frame(survey: _taut.Survey, net: _taut.CableNet) -> pandas.DataFrame:
     """Survey.to_dataframe()."""
     if len(survey.form) != len(net.nodes):
         raise ValueError(

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Guards against a net from COMPAS or JAX FDM that is not in equilibrium where it was there."""
 
+import json
 import re
 
 import numpy as np
 import pytest
 import taut
+from taut import notebook
 
 compas = pytest.importorskip("compas")
 
@@ -153,8 +155,24 @@ def test_a_notebook_shows_net_identification_and_plan(net, found):
             assert shown.startswith("<iframe srcdoc=")
             loads = r"(?:src|href)=(?:&quot;|[\"'])?https?:|url\((?:&quot;|[\"'])?https?:"
             assert not re.search(loads, shown)
+            assert len(shown) > 500_000
         else:
             assert shown.startswith("<pre>")
+
+
+@pytest.mark.skipif(not taut.has_report_viewer(), reason="built without the report's viewer")
+def test_a_notebook_has_the_page_of_reports_once(found, monkeypatch):
+    monkeypatch.setattr(notebook, "share_page", True)
+    monkeypatch.setattr(notebook, "_page_shown", "")
+    first, second, third = (one._repr_html_() for one in (found, taut.plan(found), found))
+    digest = re.search(r'data-taut-page="(\w+)"', first)[1]
+    for shown in (second, third):
+        assert len(shown) < 0.1 * len(first)
+        assert f'iframe[data-taut-page="{digest}"]' in shown
+        (frame,) = re.findall(r'<iframe [^>]*id="(taut-\w+)"', shown)
+        assert f'getElementById("{frame}")' in shown
+    (data,) = re.findall(r"slice\(0, begin\) \+ (.*) \+ page", third)
+    assert json.loads(json.loads(data)) == json.loads(found.to_json())
 
 
 def test_a_report_and_a_drawing(found, tmp_path):

@@ -10,6 +10,7 @@ import taut
 
 pytest.importorskip("matplotlib")
 
+from matplotlib.figure import Figure
 from taut import plot
 
 
@@ -40,12 +41,24 @@ def test_the_papers_figures(study):
 
 
 def test_figures_of_an_identification_and_a_plan(found):
-    figures = plot.figures(found.to_dict())
+    figures = plot.figures(found)
     assert {"length_intervals", "tension_intervals", "residual_map"} <= set(figures)
     shown = line(figures["length_intervals"], "estimate")
     assert shown == pytest.approx(np.sort(1e3 * found.length_deviation))
     figures = plot.figures(taut.plan(found).to_dict())
     assert {"plan_normal_built", "plan_strokes", "plan_tensions"} <= set(figures)
+
+
+def test_a_figure_in_axes_of_ones_own(found):
+    axes = Figure().subplots(1, 2)
+    assert plot.draw(found, "length_intervals", ax=axes[0]) is axes[0]
+    shown = next(one for one in axes[0].get_lines() if one.get_label() == "estimate").get_ydata()
+    assert shown == pytest.approx(np.sort(1e3 * found.length_deviation))
+    assert plot.draw(found.net, "net_plan", ax=axes[1]).get_xlabel() == "x [m]"
+    with pytest.raises(ValueError, match="name: got 'strokes', expected one of net_plan, length_"):
+        plot.draw(found, "strokes", ax=axes[0])
+    with pytest.raises(ValueError, match="format"):
+        plot.figures(found.net.nodes)
 
 
 def test_the_command_writes_files(study, tmp_path, capsys):
@@ -56,7 +69,10 @@ def test_the_command_writes_files(study, tmp_path, capsys):
     assert (tmp_path / "figures" / "length_errors.svg").read_text().startswith("<?xml")
 
 
-@pytest.mark.parametrize("text", ["", "[]", "{}", '{"format": "taut-plan"}', "null"])
+@pytest.mark.parametrize(
+    "text",
+    ["", "[]", "{}", '{"format": "taut-plan"}', '{"format": "taut-net", "nodes": []}', "null"],
+)
 def test_what_is_no_result_is_refused_in_a_line(text, tmp_path, capsys):
     path = tmp_path / "results.json"
     path.write_text(text)
