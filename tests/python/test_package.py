@@ -100,9 +100,12 @@ def test_a_type_checker_takes_the_stubs_and_finds_a_wrong_argument(tmp_path):
 
 def test_all_public_types_are_known_to_pyright():
     pytest.importorskip("pyright")
-    command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable]
-    command += ["--verifytypes", "taut", "--ignoreexternal", "--outputjson"]
-    said = subprocess.run(command, capture_output=True, text=True, check=False)
+    command = [sys.executable, "-m", "pyright", "--verifytypes", "taut"]
+    command += ["--ignoreexternal", "--outputjson"]
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    said = subprocess.run(
+        command, capture_output=True, text=True, check=False, env=os.environ | {"PATH": path}
+    )
     symbols = json.loads(said.stdout)["typeCompleteness"]["symbols"]
     unknown = [one["name"] for one in symbols if one["isExported"] and not one["isTypeKnown"]]
     assert len(symbols) > 100
