@@ -11,6 +11,8 @@ import sys
 from pathlib import Path
 
 COMPLETED = {
+    r"(def support_(?:stiffness|place)\(self\)) -> dict": r"\1 -> dict[int, numpy.typing.NDArray]",
+    r"(def (?:edge_status|status|warnings)\(self\)) -> list(?!\[)": r"\1 -> list[str]",
     r"\bdict(?!\[|\w)": "dict[str, Any]",
     r"\blist(?!\[|\w)": "list[Any]",
     r"\btuple(?!\[|\w)": "tuple[Any, ...]",
