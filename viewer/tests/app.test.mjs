@@ -176,7 +176,7 @@ test("what was ticked off, and the next survey, are an epoch; a page opened agai
   await page.waitForSelector("#planning [data-state=done]");
   const report = page.frameLocator("#turns iframe");
   await report.locator("body[data-ready]").waitFor();
-  await report.locator(".tick").first().check();
+  await report.locator(".crew .tick").first().check();
   await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
   await page.waitForFunction(() => document.querySelector("#kept").textContent.startsWith("This browser keeps the job"));
   await page.waitForTimeout(500);
@@ -184,7 +184,7 @@ test("what was ticked off, and the next survey, are an epoch; a page opened agai
   await page.waitForSelector("body[data-ready]", { state: "attached" });
   await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
   await report.locator("body[data-ready]").waitFor();
-  assert.equal(await report.locator(".tick").first().isChecked(), true);
+  assert.equal(await report.locator(".crew .tick").first().isChecked(), true);
   const [edge] = (await report.locator(".crew tbody tr:not(.pass) th").first().textContent()).split(" ");
   // Built again with that turn, and surveyed into a file of the same name.
   const stroke = await report.locator(".crew tbody tr:not(.pass)").first().evaluate((row) => {
@@ -260,7 +260,7 @@ test("a plan made anew asks before it forgets ticks; a number takes its unit; wh
   await report.locator("body[data-ready]").waitFor();
   await report.locator(".record input").first().fill("Roof hall B");
   await report.locator(".record input").first().blur();
-  await report.locator(".tick").first().check();
+  await report.locator(".crew .tick").first().check();
   await page.waitForFunction(() => document.querySelector("#made").textContent.startsWith("1 of "));
   assert.equal(await page.frameLocator("#lengths iframe").locator(".record input").first().inputValue(), "Roof hall B");
   await page.dispatchEvent("#do-plan", "click");
