@@ -13,31 +13,40 @@ from pathlib import Path
 COMPLETED = {
     r"(def support_(?:stiffness|place)\(self\)) -> dict": r"\1 -> dict[int, numpy.typing.NDArray]",
     r"(def (?:edge_status|status|warnings)\(self\)) -> list(?!\[)": r"\1 -> list[str]",
+    r"(def predict\(.*\)) -> tuple": r"\1 -> tuple[numpy.typing.NDArray, numpy.typing.NDArray]",
+    r"(def _net_of_compas\(.*\)) -> tuple": r"\1 -> tuple[CableNet, dict[str, Any]]",
+    r"(def load\(.*\)) -> tuple": r"\1 -> tuple[THIS, CableNet]",
+    r"(def control\(.*\)) -> object": r"\1 -> dict[str, Any]",
+    r"(def to_dataframe\(.*\)) -> object": r"\1 -> pandas.DataFrame",
+    r"(def _repr_html_\(.*\)) -> object": r"\1 -> str",
+    r"(def to_compas\(.*\)) -> object": r"\1 -> Any",
     r"\bdict(?!\[|\w)": "dict[str, Any]",
     r"\blist(?!\[|\w)": "list[Any]",
     r"\btuple(?!\[|\w)": "tuple[Any, ...]",
     r"\bnumpy\.typing\.NDArray(?!\[)": "numpy.typing.NDArray[numpy.float64]",
     r"\bos\.PathLike(?!\[)": "os.PathLike[str]",
-    r"(def to_dataframe\(.*\)) -> object": r"\1 -> pandas.DataFrame",
-    r"(def _repr_html_\(.*\)) -> object": r"\1 -> str",
-    r"(def to_compas\(.*\)) -> object": r"\1 -> Any",
-    r"(def _net_of_compas\(.*) -> tuple\[Any, \.\.\.\]": r"\1 -> tuple[CableNet, dict[str, Any]]",
-    r"(def load\(.*) -> tuple\[Any, \.\.\.\]": r"\1 -> tuple[Any, CableNet]",
+    r"^import os$": "import os\nfrom typing import Any",
+    r"^import numpy\.typing$": "import numpy.typing\nimport pandas",
 }
 
 
 def completed(stub: str) -> str:
-    """Changes heads alone, which are lines that end a signature: no line of a docstring does."""
-    lines = stub.splitlines(keepends=True)
+    """Changes imports and signatures, never a docstring."""
+    lines = stub.split("\n")
+    unused = set(COMPLETED)
+    this = ""
     for k, line in enumerate(lines):
-        if re.match(r" *def .*:( \.\.\.)?$", line):
+        if of_class := re.match(r"class (\w+)", line):
+            this = of_class[1]
+        if re.match(r" *def .*:( \.\.\.)?$|import ", line):
             for pattern, text in COMPLETED.items():
-                lines[k] = re.sub(pattern, text, lines[k])
-    return re.sub("^import os$", "import os\nfrom typing import Any", "".join(lines), flags=re.M)
+                lines[k], count = re.subn(pattern, text.replace("THIS", this), lines[k])
+                unused -= {pattern} if count else set()
+    if unused:
+        raise SystemExit(f"complete_stub.py: {', '.join(unused)}: is nowhere in the stub")
+    return "\n".join(lines)
 
 
 if __name__ == "__main__":
     stub, output = map(Path, sys.argv[1:])
-    text = completed(stub.read_text(encoding="utf-8"))
-    text = text.replace("import numpy.typing\n", "import numpy.typing\nimport pandas\n", 1)
-    output.write_text(text, encoding="utf-8")
+    output.write_text(completed(stub.read_text(encoding="utf-8")), encoding="utf-8")

@@ -13,7 +13,7 @@ All numbers are SI: m, N, rad, K. Nodes and edges are numbered from 0.
 
 from importlib import import_module
 
-from taut import _taut, calls
+from taut import _taut, calls, notebook
 from taut._taut import *  # noqa: F403
 from taut._taut import __version__
 from taut.page import app  # noqa: F401
@@ -24,13 +24,21 @@ for _name, _of in vars(_taut).items():
         globals()[_name] = calls.naming_arguments(_of)
 
 
+_taut.Identification._repr_mimebundle_ = notebook.mimebundle
+_taut.Plan._repr_mimebundle_ = notebook.mimebundle
+
+
 class Sampler(_taut.Sampler):
     __doc__ = _taut.Sampler.__doc__
     __init__ = calls.naming_arguments(_taut.Sampler.__init__, "Sampler")
 
 
 __all__ = [name for name in dir() if not name.startswith("_")]
-__all__ = [name for name in __all__ if name not in ("import_module", "calls", "page", "surveys")]
+__all__ = [
+    name
+    for name in __all__
+    if name not in ("import_module", "calls", "page", "surveys", "notebook")
+]
 __all__ += ["__version__", "gradients"]  # noqa: F405 - gp and plot take packages that are optional
 
 

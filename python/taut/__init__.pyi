@@ -3,6 +3,7 @@
 
 from taut import gp as gp
 from taut import gradients as gradients
+from taut import notebook as notebook
 from taut import plot as plot
 from taut._taut import *  # noqa: F403
 from taut.page import app as app

@@ -16,27 +16,29 @@ from numpy.typing import NDArray
 
 from taut import _taut
 
-#: Whether the page of reports, 1.2 MB, is in a notebook once, with the first result that a kernel
-#: shows. Where cells cannot see each other, as in Google Colab, each has its own.
-share_page: bool = "ipykernel" in sys.modules and "google.colab" not in sys.modules
+#: Whether a notebook has the page of reports, 1.2 MB, once: in the first cell that shows a result.
+#: Where cells cannot see each other, each has its own.
+share_page: bool = not {"google.colab", "dbruntime"} & sys.modules.keys()
 
-_page_shown = ""  # a digest of the page that an earlier cell holds
+_holder = ("", "")  # the cell that holds the page, and a digest of that
 
 _MARK = '<script type="application/json" id="result">'
 
 #: As soon as the cell with the page is there: a notebook may show its cells in any order.
 _SHOW = """
-(function show(tries) {
+(function show() {
   const page = document.querySelector('iframe[data-taut-page="%(page)s"]');
-  const frame = document.getElementById("%(frame)s");
+  const frames = document.querySelectorAll('[id="%(frame)s"]');
   if (page) {
     const begin = page.srcdoc.indexOf(%(mark)s) + %(mark)s.length;
     const end = page.srcdoc.indexOf("\\u003c/script>", begin);
-    frame.srcdoc = page.srcdoc.slice(0, begin) + %(data)s + page.srcdoc.slice(end);
-  } else if (tries > 0) {
-    setTimeout(show, 250, tries - 1);
+    for (const frame of frames) {
+      frame.srcdoc = page.srcdoc.slice(0, begin) + %(data)s + page.srcdoc.slice(end);
+    }
+  } else if (frames.length > 0) {
+    setTimeout(show, 500);
   }
-})(240);
+})();
 """
 
 _WAITING = (
@@ -58,19 +60,36 @@ def _in_script(text: str) -> str:
     return json.dumps(text).replace("<", "\\u003c")
 
 
-def result_html(result: _taut.Identification | _taut.Plan) -> str:
+def _cell() -> str | None:
+    """The cell that runs, where the front end of the notebook names it."""
+    ipython = sys.modules.get("IPython")
+    kernel = getattr(ipython.get_ipython() if ipython else None, "kernel", None)
+    try:
+        return str(kernel.get_parent()["metadata"]["cellId"]) if kernel and share_page else None
+    except (AttributeError, KeyError, TypeError):
+        return None
+
+
+def result_html(result: _taut.Identification | _taut.Plan, attribute: str = "") -> str:
     """The report of an identification or a plan, inside the cell."""
-    global _page_shown
     if not _taut.has_report_viewer():
         return f"<pre>{html.escape(repr(result))}</pre>"
+    return _frame(_taut._report_html(result.to_json()), repr(result), attribute)
+
+
+def _shown_html(result: _taut.Identification | _taut.Plan) -> str:
+    """The same, with the page of another cell where there is one."""
+    global _holder
+    cell = _cell()
+    if cell is None or not _taut.has_report_viewer():
+        return result_html(result)
     page = _taut._report_html(result.to_json())
     begin = page.index(_MARK) + len(_MARK)
     end = page.index("</script>", begin)
     digest = hashlib.sha256(page[end:].encode()).hexdigest()[:16]
-    is_first = not share_page or digest != _page_shown
-    if is_first:
-        _page_shown = digest
-        return _frame(page, repr(result), f'data-taut-page="{digest}"')
+    if cell == _holder[0] or digest != _holder[1]:
+        _holder = (cell, digest)
+        return result_html(result, f'data-taut-page="{digest}"')
     frame = f"taut-{uuid.uuid4().hex}"
     script = _SHOW % {
         "page": digest,
@@ -79,6 +98,12 @@ def result_html(result: _taut.Identification | _taut.Plan) -> str:
         "data": _in_script(page[begin:end]),
     }
     return _frame(_WAITING, repr(result), f'id="{frame}"') + f"<script>{script}</script>"
+
+
+def mimebundle(result: Any, include: object = None, exclude: object = None) -> dict[str, str]:
+    """What a notebook shows of a result: IPython's _repr_mimebundle_."""
+    del include, exclude
+    return {"text/html": _shown_html(result), "text/plain": repr(result)}
 
 
 def _seen_from_the_side(nodes: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -278,12 +278,12 @@ def _plan(result: Result) -> Iterator[tuple[str, Drawing]]:
         for name, label, color in (("as_built", "as built", GREY), ("planned", "planned", "black")):
             values = [1e-3 * edge[name] for edge in edges]
             axes.plot(index, values, ".", color=color, markersize=1.5, label=label)
+        limit_label = "limit"
         for name in ("limit_lower", "limit_upper"):
             limits = [np.nan if edge[name] is None else 1e-3 * edge[name] for edge in edges]
             if np.isfinite(limits).any():
-                is_drawn = "limit" in axes.get_legend_handles_labels()[1]
-                label = "_limit" if is_drawn else "limit"
-                axes.plot(index, limits, color=ORANGE, linewidth=0.7, label=label)
+                axes.plot(index, limits, color=ORANGE, linewidth=0.7, label=limit_label)
+                limit_label = "_limit"
         _legend(axes, 4)
         axes.set_xlabel("edge, by its planned tension")
         axes.set_ylabel("tension [kN]")
@@ -303,15 +303,21 @@ _OF = {
 def _whole() -> Iterator[None]:
     try:
         yield
-    except LookupError as error:
-        raise ValueError(f"result: is not whole, it lacks {error}") from error
+    except KeyError as error:
+        raise ValueError(f"result: is not whole: it lacks {error}") from error
+    except (LookupError, AttributeError, TypeError, ValueError) as error:
+        raise ValueError(f"result: is not whole: {error}") from error
 
 
 def _drawings(result: Any) -> dict[str, Drawing]:
-    result = result.to_dict() if hasattr(result, "to_dict") else result
+    kind = type(result).__name__
+    if hasattr(result, "to_dict") and not isinstance(result, type):
+        result = result.to_dict()
     form = result.get("format") if isinstance(result, dict) else None
-    if form not in _OF:
-        raise ValueError(f"result: has the format {form!r}, expected one of {', '.join(_OF)}")
+    if form not in list(_OF):
+        raise ValueError(
+            f"result: got {kind} of the format {form!r}, expected one of {', '.join(_OF)}"
+        )
     status = result.get("status", "converged")
     if status != "converged":
         raise ValueError(f"result: has no lengths, its status is {status!r}")
@@ -349,17 +355,24 @@ def draw(result: Any, name: str, *, ax: Axes | None = None) -> Axes:
         The axes.
 
     Raises:
-        ValueError: where the result has no such figure.
+        ValueError: where the result has no such figure, and for 3D or polar axes.
+        TypeError: for an ax that is none.
     """
     drawings = _drawings(result)
-    if name not in drawings:
+    if name not in list(drawings):
         raise ValueError(f"name: got {name!r}, expected one of {', '.join(drawings)}")
     if ax is None:
         from matplotlib import pyplot
 
         ax = pyplot.gca()
+    if not isinstance(ax, Axes):
+        raise TypeError(f"ax: got {type(ax).__name__}, expected matplotlib.axes.Axes")
+    if ax.name != "rectilinear":
+        raise ValueError(f"ax: has the projection {ax.name!r}, expected plain axes")
     with _whole():
         drawings[name][0](ax)
+    if ax.get_legend() is not None:
+        ax.legend(loc="best")  # above the axes there may be a title
     return ax
 
 
@@ -379,7 +392,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """python -m taut.plot"""
     parser = argparse.ArgumentParser(prog="python -m taut.plot", description=__doc__)
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.add_argument("result", type=Path, help="result.json, results.json or plan.json")
+    parser.add_argument(
+        "result", type=Path, help="net.json, result.json, results.json or plan.json"
+    )
     parser.add_argument("-o", "--output", type=Path, required=True, help="folder of the figures")
     parser.add_argument("--format", choices=["pdf", "svg", "png"], default="pdf")
     given = parser.parse_args(arguments)

@@ -172,10 +172,11 @@ def read_survey(
         return _taut._read_survey_file(net, source, std, texts)
     for name in of_file.keys() & texts.keys():
         raise ValueError(f"{name}: is for a file, and source holds points")
+    positions: Any
     if isinstance(source, Mapping) or hasattr(source, "columns"):
         positions, ids, stds = _of_table(source, ids)
     else:
-        positions, stds = np.asanyarray(source), None
+        positions, stds = source, None
     if stds is not None and noise is not None:
         raise ValueError("noise: is given by the columns sx, sy, sz of source, too: leave out one")
     count = np.shape(positions)[0] if np.ndim(positions) else 0

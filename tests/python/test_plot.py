@@ -57,8 +57,15 @@ def test_a_figure_in_axes_of_ones_own(found):
     assert plot.draw(found.net, "net_plan", ax=axes[1]).get_xlabel() == "x [m]"
     with pytest.raises(ValueError, match="name: got 'strokes', expected one of net_plan, length_"):
         plot.draw(found, "strokes", ax=axes[0])
-    with pytest.raises(ValueError, match="format"):
-        plot.figures(found.net.nodes)
+    for wrong in (found.net.nodes, taut.CableNet, {"format": []}):
+        with pytest.raises(ValueError, match="format"):
+            plot.figures(wrong)
+    with pytest.raises(TypeError, match="ax: got ndarray, expected"):
+        plot.draw(found, "net_plan", ax=axes)
+    with pytest.raises(ValueError, match="ax: has the projection '3d'"):
+        plot.draw(found, "net_plan", ax=Figure().add_subplot(projection="3d"))
+    with pytest.raises(ValueError, match="is not whole"):
+        plot.figures(found.to_dict() | {"cable_net": None})
 
 
 def test_the_command_writes_files(study, tmp_path, capsys):
