@@ -77,11 +77,12 @@ std::filesystem::path make_beside(const std::filesystem::path& target,
         std::filesystem::path name = target;
         name.replace_filename(fmt::format("{}{}-{}.tmp", temporary_prefix(target),
                                           platform::process_id(), counter++));
+        remember_temporary(name);  // before it is there: this asks for memory
         const std::error_code error = make(name);
         if (!error) {
-            remember_temporary(name);
             return name;
         }
+        forget_temporary(name);
         if (error != std::errc::file_exists) {
             throw OutputError(given, "cannot be written: " + error.message());
         }

@@ -171,19 +171,22 @@ def faults(rng: random.Random, sandbox: Sandbox, originals: Path):
 
 #: Calls of malloc that fail in turn, at most: a run makes tens of thousands.
 MOST_MALLOCS = 6_000
+LAST_MALLOCS = 60  # of a command: while its output takes its place
 
 
 def every_fault(sandbox: Sandbox, originals: Path) -> dict[str, tuple[int, list[str]]]:
     """Each call of each command fails in turn, of malloc every few: of each kind how many, and what was found."""
     mallocs = {command: _malloc_count(sandbox, originals, command) for command in WRITERS}
     stride = -(-sum(mallocs.values()) // MOST_MALLOCS)
-    of_malloc = f"one of {stride} calls of malloc"
+    of_malloc = f"one of {stride} calls of malloc, and each of the last {LAST_MALLOCS}"
     work: dict[str, list] = {"each call of the system": [], of_malloc: []}
     for command in WRITERS:
         for call, numbers in _calls(sandbox, originals, command).items():
             work["each call of the system"] += [(fail_call, command, call, n) for n in numbers]
         work[of_malloc] += [
-            (fail_malloc, command, n, 1) for n in range(1, mallocs[command] + 1, stride)
+            (fail_malloc, command, n, 1)
+            for n in range(1, mallocs[command] + 1)
+            if (n - 1) % stride == 0 or n > mallocs[command] - LAST_MALLOCS
         ]
     free = SimpleQueue()
     for index in range(os.cpu_count() or 1):
