@@ -11,6 +11,9 @@ import sys
 from pathlib import Path
 
 COMPLETED = {
+    # Arguments: dicts of other values and keys than these would be refused, unless literal.
+    r"(?<!-> )\bdict\[str \| (?:int \| )?None, ": "Mapping[Any, ",
+    r"(?<!-> )\bdict\[": "Mapping[",
     r"(def support_(?:stiffness|place)\(self\)) -> dict": r"\1 -> dict[int, numpy.typing.NDArray]",
     r"(def (?:edge_status|status|warnings)\(self\)) -> list(?!\[)": r"\1 -> list[str]",
     r"(def predict\(.*\)) -> tuple": r"\1 -> tuple[numpy.typing.NDArray, numpy.typing.NDArray]",

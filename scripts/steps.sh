@@ -5,6 +5,7 @@
 # took, and ends the run where it fails; `print_times` prints the table of all steps. `beside FUNCTION` runs
 # the steps of a function at the same time as those that follow, until `join`: most of its steps take one
 # core, and what compiles takes the other. What it prints is shown when it has ended.
+
 # What an earlier run on this machine has compiled from the same text is taken from there, wherever the
 # clone lies. CCACHE_DISABLE=1 compiles everything.
 export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=5G

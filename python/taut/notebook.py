@@ -47,7 +47,7 @@ _WAITING = (
 )
 
 
-def _frame(page: str, title: str, attribute: str) -> str:
+def _frame(page: str, title: str, attribute: str = "") -> str:
     return (
         f'<iframe srcdoc="{html.escape(page, quote=True)}" {attribute} '
         'sandbox="allow-scripts allow-downloads" '
@@ -70,11 +70,11 @@ def _cell() -> str | None:
         return None
 
 
-def result_html(result: _taut.Identification | _taut.Plan, attribute: str = "") -> str:
+def result_html(result: _taut.Identification | _taut.Plan) -> str:
     """The report of an identification or a plan, inside the cell."""
     if not _taut.has_report_viewer():
         return f"<pre>{html.escape(repr(result))}</pre>"
-    return _frame(_taut._report_html(result.to_json()), repr(result), attribute)
+    return _frame(_taut._report_html(result.to_json()), repr(result))
 
 
 def _shown_html(result: _taut.Identification | _taut.Plan) -> str:
@@ -89,7 +89,7 @@ def _shown_html(result: _taut.Identification | _taut.Plan) -> str:
     digest = hashlib.sha256(page[end:].encode()).hexdigest()[:16]
     if cell == _holder[0] or digest != _holder[1]:
         _holder = (cell, digest)
-        return result_html(result, f'data-taut-page="{digest}"')
+        return _frame(page, repr(result), f'data-taut-page="{digest}"')
     frame = f"taut-{uuid.uuid4().hex}"
     script = _SHOW % {
         "page": digest,

@@ -400,16 +400,21 @@ CableNet heavy_net() {
     return CableNet(std::move(data));
 }
 
+constexpr LengthPrior heavy_tolerance{LengthPrior::Kind::normal, 0.002};
+
+SimulatedSurvey heavy_survey(const CableNet& net) {
+    return simulate(net, heavy_tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
+}
+
+Identification identified_on_site(const CableNet& net, const Survey& survey, int draws) {
+    return identify(net, survey, {.prior = heavy_tolerance, .assume_site = true, .draws = draws});
+}
+
 /// With the self-weight known to 3 % and each stiffness to 2 %, samples are in equilibrium.
 TEST(Diagnostics, PassesHeavyCablesWithTheirSagAndNamesThoseWithout) {
     const CableNet given = heavy_net();
-    const LengthPrior tolerance{LengthPrior::Kind::normal, 0.002};
-    const SimulatedSurvey s = simulate(given, tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
-    IdentifyOptions options;
-    options.prior = tolerance;
-    options.assume_site = true;
-    options.draws = 200;
-    const Identification result = identify(given, s.survey, options);
+    const SimulatedSurvey s = heavy_survey(given);
+    const Identification result = identified_on_site(given, s.survey, 200);
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed) << result.trust.findings[0].reason;
     EXPECT_FALSE(finds(result, Kind::sag));
     EXPECT_FALSE(result.drawn.tensions.empty());
@@ -420,7 +425,7 @@ TEST(Diagnostics, PassesHeavyCablesWithTheirSagAndNamesThoseWithout) {
 
     CableNetData straight = given.data();
     straight.sag_weight.resize(0);
-    const Identification without = identify(CableNet(straight), s.survey, options);
+    const Identification without = identified_on_site(CableNet(straight), s.survey, 200);
     EXPECT_TRUE(finds(without, Kind::sag));
     EXPECT_NE(without.trust.verdict(), Trust::Verdict::passed);
 }
@@ -432,13 +437,7 @@ TEST(Diagnostics, KnowTensionsByTheWeightNoBetterThanTheMass) {
     data.mass *= 1.05;
     data.sag_weight *= 1.05;
     const CableNet heavier(data);
-    const LengthPrior tolerance{LengthPrior::Kind::normal, 0.002};
-    const SimulatedSurvey s = simulate(heavier, tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
-    IdentifyOptions options;
-    options.prior = tolerance;
-    options.assume_site = true;
-    options.draws = 0;
-    const Identification result = identify(given, s.survey, options);
+    const Identification result = identified_on_site(given, heavy_survey(heavier).survey, 0);
     const auto mass =
         std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
                           [](const ParameterEstimate& one) { return one.parameter.kind; });
@@ -456,14 +455,10 @@ TEST(Diagnostics, NameTheSagOfAdjustableEdges) {
     }
     data.nodes = solve_equilibrium(CableNet(data)).form;
     const CableNet given(data);
-    const LengthPrior tolerance{LengthPrior::Kind::normal, 0.002};
-    const SimulatedSurvey s = simulate(given, tolerance, 0.3e-3, 3, [](Eigen::VectorXd&) {});
-    IdentifyOptions options;
-    options.prior = tolerance;
-    options.assume_site = true;
-    const Identification result = identify(given, s.survey, options);
+    const Identification result = identified_on_site(given, heavy_survey(given).survey, 0);
     const auto finding = std::ranges::find(result.trust.findings, Kind::sag, &Trust::Finding::kind);
     ASSERT_NE(finding, result.trust.findings.end());
+    ASSERT_FALSE(finding->ids.empty());
     for (const std::string& id : finding->ids) {
         EXPECT_TRUE(std::ranges::binary_search(given.adjustable_edges(), given.find_edge(id)));
     }

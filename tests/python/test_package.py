@@ -84,13 +84,15 @@ def test_a_type_checker_takes_the_stubs_and_finds_a_wrong_argument(tmp_path):
         "print(found.findings[0]['kind'], found.length_deviation.max())\n"
         "print(found.to_dataframe()['length_deviation'].max())\n"
         "form, pullback = taut.gradients.form_vjp(net, net.unstressed_lengths)\n"
+        "limits = {'ridge': (2e3, 5e3)}\n"
+        "taut.plan(found, tension=limits, stroke={3: (-0.01, 0.005)})\n"
         "print(pullback(form).sum(), taut.gp.MultiOutputGP().fit(form, form).n_iter_)\n"
         "plan: taut.Plan = taut.plan(net)\n"
     )
     of_package = Path(__file__).parents[2] / "pyproject.toml"
     mypy = [sys.executable, "-m", "mypy", "--no-error-summary"]
     for command, expected in [
-        ([*mypy, "--strict", program], ["program.py:9"]),
+        ([*mypy, "--strict", program], ["program.py:11"]),
         ([*mypy, "--config-file", of_package, "-p", "taut"], []),
     ]:
         said = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
@@ -106,6 +108,7 @@ def test_all_public_types_are_known_to_pyright():
     said = subprocess.run(
         command, capture_output=True, text=True, check=False, env=os.environ | {"PATH": path}
     )
+    assert said.stdout, said.stderr
     symbols = json.loads(said.stdout)["typeCompleteness"]["symbols"]
     unknown = [one["name"] for one in symbols if one["isExported"] and not one["isTypeKnown"]]
     assert len(symbols) > 100
