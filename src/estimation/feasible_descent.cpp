@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "estimation/imagined_observations.hpp"
+
 namespace taut {
 namespace {
 
@@ -42,19 +44,6 @@ Observations damped(const Observations& observations, const Iterate& iterate, do
     Observations result = observations;
     result.length_damping = damping;
     result.mean = iterate.deviations + (observations.mean - iterate.deviations) / (1.0 + damping);
-    return result;
-}
-
-/// Observations and priors that agree with the iterate: a step then only restores balance.
-Observations satisfied(const StaticsModel& model, const Observations& observations,
-                       const Iterate& iterate) {
-    Observations result = observations;
-    result.form = iterate.form;
-    result.support_mean = model.support_deviations(iterate);
-    result.mean = iterate.deviations;
-    result.load_mean = iterate.loads;
-    result.common_mean = iterate.common;
-    result.tension = observations.measured(model.tensions(iterate), iterate.common);
     return result;
 }
 

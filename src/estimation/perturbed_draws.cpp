@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/perturbed_draws.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,8 @@
 #include <vector>
 
 #include "estimation/feasible_descent.hpp"
+#include "estimation/hamiltonian_chain.hpp"
+#include "estimation/imagined_observations.hpp"
 #include "estimation/prestress_shift.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
@@ -32,6 +32,8 @@ constexpr int most_descents_a_draw = 60;
 constexpr double decrement_of_draw = 0.05;
 
 constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
+constexpr double corner_of_chains = 0.01;
+constexpr double largest_disagreement = 1.2;
 
 /// Draws that are fitted come to their tension laws in stages, each from the one before it: laws
 /// are blurred by these parts of the blur of the fit.
@@ -48,91 +50,6 @@ constexpr double small_step = 0.1;
 
 double smallest_noise(const CableNet& net, const Observations& observations) {
     return 1.0 / std::sqrt(observations.weights(Eigen::all, net.free_nodes()).maxCoeff());
-}
-
-/// (perturbed): observations and priors with new errors.
-/// @param blur variances of the additional length deviations, (blurred-law), (own-stiffness)
-Observations perturbed(const CableNet& net, const Observations& observations,
-                       const Eigen::VectorXd& blur, RandomNumbers& random) {
-    Observations result = observations;
-    const auto perturb_places = [&](const std::vector<int>& nodes) {
-        for (const int node : nodes) {
-            if (!(observations.weights.col(node).minCoeff() > 0.0)) {
-                continue;
-            }
-            Eigen::Vector3d error;
-            for (double& of_one : error) {
-                of_one = random.normal();
-            }
-            // With the covariance S^-1 = L'^-1 L^-1.
-            result.form.col(node) += observations.weight(node).llt().matrixU().solve(error);
-        }
-    };
-    perturb_places(net.free_nodes());
-    for (int i = 0; i < result.mean.size(); ++i) {
-        result.mean(i) += random.normal() * std::sqrt(observations.variance(i) + blur(i));
-    }
-    perturb_places(net.supports());
-    for (Eigen::Index k = 0; k < result.support_mean.size(); ++k) {
-        if (const double weight = observations.support_weights(k); weight > 0.0) {
-            result.support_mean(k) += random.normal() / std::sqrt(weight);
-        }
-    }
-    for (int node = 0; node < net.node_count(); ++node) {
-        if (observations.load_variance.col(node).maxCoeff() > 0.0) {
-            Eigen::Vector3d error;
-            for (double& of_one : error) {
-                of_one = random.normal();
-            }
-            const Eigen::LLT<Eigen::Matrix3d> root(observations.load_covariance(node));
-            result.load_mean.col(node) += root.matrixL() * error;
-        }
-    }
-    for (double& mean : result.common_mean) {
-        mean += random.normal();
-    }
-    for (Eigen::Index e = 0; e < result.tension.size(); ++e) {
-        if (const double weight = observations.tension_weights(e); weight > 0.0) {
-            result.tension(e) += random.normal() / std::sqrt(weight);
-        }
-    }
-    if (observations.evidence) {
-        Eigen::VectorXd error(observations.evidence->root.cols());
-        for (double& of_one : error) {
-            of_one = random.normal();
-        }
-        result.evidence_pull += observations.evidence->root * error;
-    }
-    return result;
-}
-
-/// (length-trend): draws what the prior means have in common.
-Observations with_drawn_mean(const Observations& observations, RandomNumbers& random) {
-    Observations result = observations;
-    if (result.mean_root.size() > 0) {
-        Eigen::VectorXd error(result.mean_root.cols());
-        for (double& of_one : error) {
-            of_one = random.normal();
-        }
-        result.mean += result.mean_root * error;
-        result.mean_root.resize(0, 0);
-    }
-    return result;
-}
-
-/// With the few numbers alone that most of what the prior means have in common depends on: the
-/// determinant takes a solution for each.
-Observations with_leading_means(const Observations& observations) {
-    constexpr Eigen::Index most = 3;
-    Observations result = observations;
-    if (result.mean_root.cols() > most) {
-        const Eigen::VectorXd stds = observations.variance.cwiseSqrt();
-        const Eigen::BDCSVD<Eigen::MatrixXd> svd(
-            stds.cwiseInverse().asDiagonal() * observations.mean_root, Eigen::ComputeThinU);
-        result.mean_root = stds.asDiagonal() * svd.matrixU().leftCols(most) *
-                           svd.singularValues().head(most).asDiagonal();
-    }
-    return result;
 }
 
 /// A length drawn from the prior, but longer than the form spans, if the prior has any.
@@ -179,6 +96,8 @@ public:
 
     /// This many draws; fewer where the first ones are unreliable.
     [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress);
+    /// This many draws by chains.
+    [[nodiscard]] PerturbedDraws run_chains(int count, const Progress& progress) const;
 
 private:
     struct Draw {
@@ -217,6 +136,8 @@ private:
     [[nodiscard]] const StaticsModel& model_of(bool refit) const {
         return refit ? m_refit_model : m_model;
     }
+    [[nodiscard]] std::optional<Draw> completed(const Perturbed& found, RandomNumbers& random,
+                                                Workspace& workspace) const;
     [[nodiscard]] std::vector<PerturbedFit> fits_with_determinants(bool refit_all,
                                                                    const Progress& progress) const;
     [[nodiscard]] Eigen::VectorXd move_sites(bool refit_all, const Progress& progress);
@@ -534,15 +455,19 @@ Observations Perturbation::moved_sites(const Iterate& shift) const {
 std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
-    std::optional<Perturbed> found = fit_of(random, refit_all, workspace);
-    if (!found) {
-        return std::nullopt;
-    }
-    const Fit* const fit = &found->fit;
+    const std::optional<Perturbed> found = fit_of(random, refit_all, workspace);
+    return found ? completed(*found, random, workspace) : std::nullopt;
+}
+
+/// Brings a fit to exact equilibrium, with a length and a stiffness for each edge.
+std::optional<Perturbation::Draw> Perturbation::completed(const Perturbed& found,
+                                                          RandomNumbers& random,
+                                                          Workspace& workspace) const {
+    const Fit* const fit = &found.fit;
     Iterate drawn = fit->iterate;
     const Eigen::VectorXd own_stiffness =
-        separate_lengths(drawn, fit->tensions, found->of_mean.mean, blur_variances(refit_all),
-                         found->is_refitted, random);
+        separate_lengths(drawn, fit->tensions, found.of_mean.mean,
+                         blur_variances(found.is_refitted), found.is_refitted, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -628,6 +553,33 @@ PerturbedDraws Perturbation::collected(const std::vector<std::optional<Draw>>& d
     return result;
 }
 
+/// (hamiltonian)
+PerturbedDraws Perturbation::run_chains(int count, const Progress& progress) const {
+    StaticsModel model = m_refit_model;
+    model.corner_width = corner_of_chains * smallest_noise(m_net, m_sites);
+    model.blur.strain_stds *= *std::rbegin(blurs_of_draws);
+    const std::optional<ChainSamples> found =
+        hamiltonian_samples(model, m_sites, m_all_taut, count, m_seed, progress);
+    std::vector<std::optional<Draw>> draws(static_cast<size_t>(count));
+    PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
+    parallel_for(0, found ? count : 0, [&](int k) {
+        isolate([&] {
+            RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
+            const Iterate& iterate = found->iterates[static_cast<size_t>(k)];
+            draws[k] =
+                completed({.of_mean = with_mean_given(m_sites, model.prior_variances(m_sites),
+                                                      iterate.deviations, random),
+                           .fit = {.iterate = iterate, .tensions = model.tensions(iterate)},
+                           .is_refitted = true},
+                          random, workspaces.local());
+        });
+    });
+    PerturbedDraws result = collected(draws, true);
+    result.is_of_chains = true;
+    result.disagreement = found ? found->disagreement : std::numeric_limits<double>::infinity();
+    return result;
+}
+
 PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) {
     std::vector<std::optional<Draw>> draws;
     add_draws(draws, std::min(count, pilot_draws), refit_all, progress);
@@ -651,12 +603,24 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
 
 bool PerturbedDraws::is_unreliable() const {
     const auto asked = static_cast<double>(count() + left_out);
-    return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
+    return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure) ||
+           !(disagreement <= largest_disagreement);
 }
 
 bool can_be_fitted(const CableNet& net) {
     constexpr int most_edges = 2000;
     return net.interior_edge_count() <= most_edges;
+}
+
+bool can_be_chained(const CableNet& net) {
+    constexpr int most_edges = 600;
+    return net.interior_edge_count() <= most_edges && !net.has_struts();
+}
+
+PerturbedDraws draw_by_chains(const LinearisedFit& fitted, const Observations& sites,
+                              const PriorKnowledge& knowledge, int draws, std::uint64_t seed,
+                              const Progress& progress) {
+    return Perturbation(fitted, sites, knowledge, seed).run_chains(draws, progress);
 }
 
 PerturbedDraws draw_by_perturbation(const LinearisedFit& fitted, const Observations& sites,

@@ -30,9 +30,12 @@ struct PerturbedDraws {
     /// coordinates and draws, in standard deviations of the survey; force measurements likewise.
     double departure = 0.0;
     int left_out = 0;  ///< draws that found no fit or no equilibrium
+    bool is_of_chains = false;
+    double disagreement = 1.0;  ///< of the chains, ChainSamples
 
-    /// Whether more than one draw, and more than 2 %, were left out, or forms lie farther than 0.3
-    /// standard deviations from those drawn: then they are not of this posterior.
+    /// Whether more than one draw, and more than 2 %, were left out, forms lie farther than 0.3
+    /// standard deviations from those drawn, or chains disagree by more than 1.2: then they are not
+    /// of this posterior.
     [[nodiscard]] bool is_unreliable() const;
     [[nodiscard]] int count() const { return static_cast<int>(tensions.cols()); }
 };
@@ -56,6 +59,15 @@ struct PerturbedDraws {
                                                   const PriorKnowledge& knowledge, int draws,
                                                   std::uint64_t seed, bool by_fits,
                                                   const Progress& progress = {});
+
+/// Draws by Hamiltonian Monte Carlo, docs/theory.md (hamiltonian): of posteriors that are too far
+/// from normal for perturbation. Otherwise as draw_by_perturbation().
+[[nodiscard]] PerturbedDraws draw_by_chains(const LinearisedFit& fitted, const Observations& sites,
+                                            const PriorKnowledge& knowledge, int draws,
+                                            std::uint64_t seed, const Progress& progress = {});
+
+/// Whether chains take less than a few minutes, and the form is the only one: no struts.
+[[nodiscard]] bool can_be_chained(const CableNet& net);
 
 /// Whether draws are fitted by themselves in seconds: some ten factorisations each.
 [[nodiscard]] bool can_be_fitted(const CableNet& net);

@@ -64,7 +64,7 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
     for (const IdentifiedEdge& edge : result.edges) {
         known += edge.std / static_cast<double>(result.edges.size());
     }
-    if (stretch < known) {
+    if (stretch < known && !drawn.is_of_chains) {
         return fmt::format(
             "this survey does not show which edges are slack. The cables stretch by {:.2g} mm in "
             "the mean, and their lengths are known to +-{:.2g} mm",
@@ -74,6 +74,12 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
     if (drawn.left_out > 0) {
         reasons = fmt::format("{} of {} samples found no equilibrium", drawn.left_out,
                               drawn.count() + drawn.left_out);
+    }
+    if (drawn.is_of_chains) {
+        reasons += std::isfinite(drawn.disagreement)
+                       ? fmt::format("{}chains differ, R-hat {:.3g}", reasons.empty() ? "" : ", ",
+                                     drawn.disagreement)
+                       : "chains make no way";
     }
     if (drawn.count() > 0) {
         reasons += fmt::format(
@@ -213,13 +219,18 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         drawn = draw(true);
         reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
     }
+    if (!reason.empty() && can_be_chained(fit_net)) {
+        drawn = draw_by_chains(fitted, sites, knowledge, settings.count, settings.seed, progress);
+        reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
+    }
     PosteriorDraws draws{.length_deviations = interior(drawn.deviations),
                          .adjustable_deviations = {},
                          .perturbations = perturbations_of(fit_net, drawn.perturbations),
                          .forms = std::move(drawn.forms),
                          .tensions = std::move(drawn.tensions),
                          .seed = settings.seed,
-                         .how = drawn.is_refitted ? "a fit each to a perturbed survey"
+                         .how = drawn.is_of_chains  ? "Hamiltonian Monte Carlo"
+                                : drawn.is_refitted ? "a fit each to a perturbed survey"
                                 : drawn.length_shift.size() > 0
                                     ? "perturbation of the fit, moved to the posterior mean"
                                     : "perturbation of the fit",

@@ -15,6 +15,8 @@
 #include <optional>
 #include <tuple>
 
+#include "estimation/hamiltonian_chain.hpp"
+#include "estimation/imagined_observations.hpp"
 #include "support/finite_differences.hpp"
 #include "support/random_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -313,6 +315,83 @@ TEST_F(Dense, TheSquaredNormHoldsAllThatIsObserved) {
     EXPECT_NEAR(m_fit->linearisation.squared_norm(m_observed, step),
                 dx.dot(m_matrix.topLeftCorner(m_size, m_size) * dx),
                 1e-5 * m_fit->linearisation.squared_norm(m_observed, step));
+}
+
+/// Samples of chains under the exact statics, where these are all but linear: a wrong derivative
+/// makes the steps tiny, and a wrong metric the spread.
+class Chains : public Linearised {
+protected:
+    Chains() {
+        for (Points* const weights : {&m_observed.weights, &m_observed.cross_weights}) {
+            *weights *= 400.0;
+        }
+        m_observed.variance /= 400.0;
+        m_observed.load_variance /= 400.0;
+        m_observed.cross_load_variance /= 400.0;
+        m_iterate = nominal_iterate(m_net, common_count);
+        for (int k = 0; k < 10; ++k) {
+            m_observed = satisfied(m_model, m_observed, m_iterate);
+            m_iterate = m_iterate.moved(
+                linearise(m_model, m_iterate, m_observed)->step(m_iterate, m_observed));
+        }
+        m_model.corner_width = 1e-6;
+    }
+
+    /// Holds samples to the covariance of the linearisation, under another prior if they differ.
+    void expect_samples_of(const Observations& observations, const Observations& linearised) {
+        constexpr int count = 600;
+        Iterate best = m_iterate;
+        for (int k = 0; k < 8; ++k) {
+            best = best.moved(linearise(m_model, best, linearised)->step(best, linearised));
+        }
+        const auto samples = hamiltonian_samples(m_model, observations, best, count, 3);
+        ASSERT_TRUE(samples);
+        EXPECT_GT(samples->step, 0.2);
+        EXPECT_GT(samples->acceptance, 0.6);
+        EXPECT_LT(samples->disagreement, 1.1);
+        Eigen::MatrixXd drawn(m_size, count);
+        for (int k = 0; k < count; ++k) {
+            drawn.col(k) = together(samples->iterates[static_cast<size_t>(k)]);
+        }
+        const Eigen::VectorXd means = drawn.rowwise().mean();
+        const Eigen::VectorXd off = means - together(best);
+        const Eigen::VectorXd variances =
+            (drawn.colwise() - means).rowwise().squaredNorm() / (count - 1);
+        const Covariance covariance = linearised_fit(m_model, best, linearised).covariance;
+        Iterate expected = nominal_iterate(m_net, common_count);
+        for (int node = 0; node < m_net.node_count(); ++node) {
+            expected.form.col(node) = covariance.places[node].diagonal();
+            expected.loads.col(node) = covariance.loads[node].diagonal();
+        }
+        expected.deviations = covariance.lengths;
+        expected.common = covariance.common.diagonal();
+        const Eigen::VectorXd stds = together(expected).cwiseSqrt();
+        for (Eigen::Index i = 0; i < m_size; ++i) {
+            EXPECT_NEAR(std::sqrt(variances(i)) / stds(i), 1.0, 0.2) << i;
+            EXPECT_LT(std::abs(off(i)), 0.25 * stds(i)) << i;
+        }
+    }
+
+    std::vector<UncertainParameter> m_narrow = [this] {
+        std::vector<UncertainParameter> result = m_uncertain;
+        for (UncertainParameter& one : result) {
+            one.std /= 20.0;
+        }
+        return result;
+    }();
+    StaticsModel m_model{m_net, m_narrow};
+};
+
+TEST_F(Chains, HaveTheMomentsOfAnAllButLinearProblem) {
+    expect_samples_of(m_observed, m_observed);
+}
+
+TEST_F(Chains, HaveThoseOfPriorMeansInCommon) {  // (length-trend): of one edge, a wider prior
+    Observations wider = m_observed;
+    wider.variance(1) *= 5.0;
+    m_observed.mean_root = Eigen::MatrixXd::Zero(m_lengths, 1);
+    m_observed.mean_root(1, 0) = 2.0 * std::sqrt(m_observed.variance(1));
+    expect_samples_of(m_observed, wider);
 }
 
 }  // namespace

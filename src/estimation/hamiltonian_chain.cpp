@@ -1,0 +1,480 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/hamiltonian_chain.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "estimation/imagined_observations.hpp"
+#include "numerics/parallel.hpp"
+#include "numerics/random_numbers.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+constexpr int chains = 4;
+constexpr int warm_up = 40;           ///< trajectories of a chain that find its step
+constexpr int fewest_kept = 50;       ///< trajectories after them, which show whether chains agree
+constexpr double duration = 2.4;      ///< mean of a trajectory: a normal direction swings with 2 pi
+constexpr int most_steps = 150;       ///< of a trajectory
+constexpr double least_step = 0.005;  ///< with smaller ones a chain makes no way
+constexpr double wanted_acceptance = 0.8;
+
+/// Newton's method on the form of a model, and solutions with its stiffness H.
+class FormOfModel {
+public:
+    explicit FormOfModel(const StaticsModel& model)
+        : m_model(model), m_numbers(model.numbering()) {}
+
+    /// Moves the free nodes into balance; false where that does not succeed.
+    /// @param tolerance of places [m]
+    [[nodiscard]] bool settle(Iterate& iterate, double tolerance);
+    /// H^-1 of the free nodes' part, 0 at supports (3 x n), with the stiffness of the last step.
+    [[nodiscard]] Points solve(const Points& right) const;
+
+private:
+    [[nodiscard]] bool factorize(const Iterate& iterate);
+
+    const StaticsModel& m_model;
+    const StaticsNumbering& m_numbers;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
+        m_factor;
+    bool m_is_analysed = false;
+};
+
+bool FormOfModel::factorize(const Iterate& iterate) {
+    constexpr double smallest_relative_stiffness = 1e-10;  // holds loose nodes
+    const int free_count = m_numbers.local.free_count;
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(static_cast<size_t>(27 * m_model.net().edge_count()));
+    const auto add = [&](int row, int column, const Eigen::Matrix3d& block) {
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                entries.emplace_back(3 * row + i, 3 * column + k, block(i, k));
+            }
+        }
+    };
+    for (int e = 0; e < m_model.net().edge_count(); ++e) {
+        const auto [s, t] = m_numbers.local.edges[e];
+        Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+        if (!m_model.slack[e]) {
+            stiffness = m_model.rates(e, iterate).stiffness();
+        }
+        const Eigen::Matrix3d held = stiffness + smallest_relative_stiffness * stiffness.trace() *
+                                                     Eigen::Matrix3d::Identity();
+        for (const int node : {s, t}) {
+            if (node < free_count) {
+                add(node, node, held);
+            }
+        }
+        if (std::max(s, t) < free_count) {
+            add(std::max(s, t), std::min(s, t), -stiffness);
+        }
+    }
+    const double factor = m_model.common.support_factor(iterate.common);
+    for (const ElasticSupport& support : m_model.net().elastic_supports()) {
+        const int node = m_numbers.local_of[support.node];
+        add(node, node, factor * support.stiffness);
+    }
+    Eigen::SparseMatrix<double> stiffness(3 * free_count, 3 * free_count);
+    stiffness.setFromTriplets(entries.begin(), entries.end());
+    if (!std::exchange(m_is_analysed, true)) {
+        m_factor.analyzePattern(stiffness);
+    }
+    m_factor.factorize(stiffness);
+    return m_factor.info() == Eigen::Success && m_factor.vectorD().minCoeff() > 0.0;
+}
+
+Points FormOfModel::solve(const Points& right) const {
+    const Points of_free = right(Eigen::all, m_numbers.free_nodes);
+    const Eigen::VectorXd solution = m_factor.solve(of_free.reshaped());
+    Points result = Points::Zero(3, right.cols());
+    result(Eigen::all, m_numbers.free_nodes) =
+        solution.reshaped(3, m_numbers.local.free_count).eval();
+    return result;
+}
+
+bool FormOfModel::settle(Iterate& iterate, double tolerance) {
+    constexpr int most_iterations = 60;
+    constexpr double least_part = 1e-4;
+    const auto imbalance = [&](const Iterate& at) -> Points {
+        return m_model.imbalance(at)(Eigen::all, m_numbers.free_nodes);
+    };
+    Points forces = m_model.imbalance(iterate);
+    double size = imbalance(iterate).norm();
+    for (int k = 0; k < most_iterations; ++k) {
+        if (!std::isfinite(size) || !factorize(iterate)) {
+            return false;
+        }
+        const Points step = -solve(forces);
+        const double length = step.cwiseAbs().maxCoeff();
+        double part = 1.0;
+        Iterate next = iterate;
+        for (;; part *= 0.5) {
+            next.form = iterate.form + part * step;
+            forces = m_model.imbalance(next);
+            const double now = forces(Eigen::all, m_numbers.free_nodes).norm();
+            if (now < (1.0 - 1e-4 * part) * size || (part == 1.0 && length < tolerance)) {
+                size = now;
+                break;
+            }
+            if (part < least_part) {
+                return false;
+            }
+        }
+        iterate.form = std::move(next.form);
+        if (part == 1.0 && length < tolerance) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What the prior means have in common, (length-trend), in the metric.
+struct CommonMeans {
+    Eigen::MatrixXd pulls;                  ///< P G (m_I x r) [1/m]
+    Eigen::LLT<Eigen::MatrixXd> precision;  ///< I + G' P G
+    std::vector<Iterate> responses;         ///< A^-1 P G, one a column
+    Eigen::LLT<Eigen::MatrixXd> shared;     ///< I + G' P G - G' P A^-1 P G
+};
+
+/// Where a chain is, with what a trajectory needs there.
+struct ChainState {
+    Iterate iterate;
+    double potential = 0.0;
+    Iterate force;  ///< A^-1 (- dU/dx)
+};
+
+class Chain {
+public:
+    Chain(const StaticsModel& model, const Observations& observations, const Iterate& start,
+          const Linearisation& metric, double tolerance);
+
+    [[nodiscard]] std::optional<ChainState> state_at(Iterate iterate);
+    /// One trajectory, taken or not; its probability of being taken.
+    double advance(ChainState& state, double step, int steps, RandomNumbers& random);
+
+private:
+    [[nodiscard]] Iterate step_to(const Observations& observations) const {
+        return m_metric.step(m_start, observations).moved(m_rest_step, -1.0);
+    }
+    [[nodiscard]] Iterate with_common_means(Iterate change) const;
+    [[nodiscard]] Iterate drawn_velocity(RandomNumbers& random) const;
+    [[nodiscard]] double kinetic_energy(const Iterate& velocity) const;
+    [[nodiscard]] Observations pulled(const Iterate& iterate) const;
+
+    const StaticsModel& m_model;
+    const Observations& m_observations;
+    const Iterate& m_start;
+    const Linearisation& m_metric;
+    double m_tolerance;
+    FormOfModel m_form;
+    Eigen::VectorXd m_variances;  ///< of the lengths, blur included (m_I) [m2]
+    Observations m_rest;          ///< to which nothing moves from the start
+    Iterate m_rest_step;
+    CommonMeans m_means;
+};
+
+Chain::Chain(const StaticsModel& model, const Observations& observations, const Iterate& start,
+             const Linearisation& metric, double tolerance)
+    : m_model(model),
+      m_observations(observations),
+      m_start(start),
+      m_metric(metric),
+      m_tolerance(tolerance),
+      m_form(model),
+      m_variances(model.prior_variances(observations)),
+      m_rest(satisfied(model, observations, start)),
+      m_rest_step(metric.step(start, m_rest)) {
+    const Eigen::MatrixXd& root = observations.mean_root;
+    m_means.pulls = m_variances.cwiseInverse().asDiagonal() * root;
+    Eigen::MatrixXd precision =
+        Eigen::MatrixXd::Identity(root.cols(), root.cols()) + root.transpose() * m_means.pulls;
+    m_means.precision.compute(precision);
+    for (Eigen::Index k = 0; k < root.cols(); ++k) {
+        Observations moved = m_rest;
+        moved.mean += root.col(k);
+        m_means.responses.push_back(step_to(moved));
+        precision.col(k) -= m_means.pulls.transpose() * m_means.responses.back().deviations;
+    }
+    m_means.shared.compute(0.5 * (precision + precision.transpose()));
+}
+
+/// From A^-1 to the inverse with what the prior means have in common.
+Iterate Chain::with_common_means(Iterate change) const {
+    const Eigen::VectorXd parts =
+        m_means.shared.solve(m_means.pulls.transpose() * change.deviations);
+    for (Eigen::Index k = 0; k < parts.size(); ++k) {
+        change = change.moved(m_means.responses[static_cast<size_t>(k)], parts(k));
+    }
+    return change;
+}
+
+Iterate Chain::drawn_velocity(RandomNumbers& random) const {
+    const Eigen::VectorXd blur = m_variances - m_observations.variance;
+    Iterate result = step_to(perturbed(m_model.net(), m_rest, blur, random));
+    Eigen::VectorXd parts(m_means.pulls.cols());
+    for (double& of_one : parts) {
+        of_one = random.normal();
+    }
+    parts = m_means.shared.matrixU().solve(parts);
+    for (Eigen::Index k = 0; k < parts.size(); ++k) {
+        result = result.moved(m_means.responses[static_cast<size_t>(k)], parts(k));
+    }
+    return result;
+}
+
+double Chain::kinetic_energy(const Iterate& velocity) const {
+    const Eigen::VectorXd shared = m_means.pulls.transpose() * velocity.deviations;
+    return 0.5 * (m_metric.squared_norm(m_observations, velocity) -
+                  shared.dot(m_means.precision.solve(shared)));
+}
+
+std::optional<ChainState> Chain::state_at(Iterate iterate) {
+    for (int e = 0; e < m_model.net().edge_count(); ++e) {
+        if (!(m_model.unstressed_length(e, iterate) > 0.0)) {
+            return std::nullopt;
+        }
+    }
+    if (!m_form.settle(iterate, m_tolerance)) {
+        return std::nullopt;
+    }
+    const Eigen::VectorXd shared =
+        m_means.pulls.transpose() * (iterate.deviations - m_observations.mean);
+    const double potential = m_model.objective(m_observations, iterate) -
+                             0.5 * shared.dot(m_means.precision.solve(shared));
+    Iterate force = with_common_means(step_to(pulled(iterate)));
+    return ChainState{std::move(iterate), potential, std::move(force)};
+}
+
+/// (hamiltonian): observations to which one step from the start is A^-1 (- dU/dx).
+Observations Chain::pulled(const Iterate& at) const {
+    const CableNet& net = m_model.net();
+    const CommonParameters& common = m_model.common;
+    const Observations& y = m_observations;
+    const Points measured = y.weighted(y.form - at.form);
+    const Points of_supports =
+        y.support_weights.cwiseProduct(y.support_mean - m_model.support_deviations(at));
+    Points places = measured + of_supports;
+    Eigen::VectorXd lengths = Eigen::VectorXd::Zero(net.edge_count());
+    Eigen::VectorXd of_common = y.common_mean - at.common;
+    std::vector<EdgeRates> rates(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (m_model.slack[e]) {
+            continue;
+        }
+        const EdgeRates& edge = rates[e] = m_model.rates(e, at);
+        if (!(y.tension_weights(e) > 0.0)) {
+            continue;
+        }
+        const auto [s, t] = net.edges()[e];
+        const double pull = y.tension_weights(e) *
+                            (y.tension(e) - edge.tension - y.tension_bias.row(e).dot(at.common));
+        places.col(s) += pull * edge.axial * edge.direction;
+        places.col(t) -= pull * edge.axial * edge.direction;
+        lengths(e) += pull * edge.by_length;
+        for (int k = 0; k < common.count(); ++k) {
+            of_common(k) +=
+                pull * (edge.tension_by(m_model.common_variation(e, k, at)) + y.tension_bias(e, k));
+        }
+    }
+    const Points multipliers = m_form.solve(places);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (m_model.slack[e]) {
+            continue;
+        }
+        const auto [s, t] = net.edges()[e];
+        const Eigen::Vector3d relative = multipliers.col(s) - multipliers.col(t);
+        lengths(e) -= rates[e].length_rate().dot(relative);
+        const Eigen::Vector3d reaction = rates[e].stiffness() * relative;
+        places.col(s) -= reaction;
+        places.col(t) += reaction;
+        for (int k = 0; k < common.count(); ++k) {
+            of_common(k) -= rates[e].force_by(m_model.common_variation(e, k, at)).dot(relative);
+        }
+    }
+    const Points& of_frame = m_model.are_supports_uncertain() ? Points(-of_supports) : measured;
+    const double factor = common.support_factor(at.common);
+    const Points springs = m_model.designed_elastic_forces(at) - at.loads;
+    for (int k = 0; k < common.count(); ++k) {
+        if (const Points& rate = common.load_rate(k); rate.cols() > 0) {
+            of_common(k) += rate.cwiseProduct(multipliers).sum();
+        }
+        for (const int node : net.supports()) {
+            of_common(k) += common.support_rate(k, node).dot(of_frame.col(node));
+        }
+        for (const ElasticSupport& support : net.elastic_supports()) {
+            of_common(k) -= factor * (common.support_stiffness_rate(k) * springs.col(support.node) -
+                                      common.frame_load_rate(k, support.node))
+                                         .dot(multipliers.col(support.node));
+        }
+    }
+    if (y.evidence) {
+        const Eigen::VectorXd misfit =
+            y.evidence_pull -
+            y.evidence->information * at.lengths_and_common(y.evidence_pull.size());
+        const auto count = std::ssize(net.interior_edges());
+        lengths(net.interior_edges()) += misfit.head(count);
+        of_common.head(misfit.size() - count) += misfit.tail(misfit.size() - count);
+    }
+    Observations result = m_rest;
+    const Eigen::VectorXd off = y.mean - at.deviations;
+    result.mean += off + m_variances.cwiseProduct(lengths(net.interior_edges()));
+    if (y.mean_root.cols() > 0) {
+        result.mean -=
+            y.mean_root * m_means.precision.solve(m_means.pulls.transpose() * off).eval();
+    }
+    result.load_mean += y.load_mean - at.loads;
+    const Eigen::VectorXd load_factors = m_model.load_factors(at);
+    for (const int node : net.free_nodes()) {
+        if (y.load_variance.col(node).maxCoeff() > 0.0) {
+            result.load_mean.col(node) +=
+                load_factors(node) * y.load_covariance(node) * multipliers.col(node);
+        }
+    }
+    if (m_model.are_supports_uncertain()) {
+        for (const int node : net.supports()) {
+            if (!(y.support_weights.col(node).minCoeff() > 0.0)) {
+                result.form.col(node) += y.weight(node).llt().solve(places.col(node));
+                continue;
+            }
+            for (int k = 0; k < common.count(); ++k) {  // that motion of the frame is in it already
+                of_common(k) += common.support_rate(k, node).dot(places.col(node));
+            }
+            result.support_mean.col(node) +=
+                places.col(node).cwiseQuotient(y.support_weights.col(node));
+        }
+    }
+    result.common_mean += of_common;
+    return result;
+}
+
+/// The leapfrog (R. M. Neal, MCMC using Hamiltonian dynamics, 2011).
+double Chain::advance(ChainState& state, double step, int steps, RandomNumbers& random) {
+    Iterate velocity = drawn_velocity(random);
+    const double before = state.potential + kinetic_energy(velocity);
+    const double chance = random.uniform();
+    ChainState at = state;
+    velocity = velocity.moved(at.force, 0.5 * step);
+    for (int k = 1; k <= steps; ++k) {
+        std::optional<ChainState> next = state_at(at.iterate.moved(velocity, step));
+        if (!next) {
+            return 0.0;
+        }
+        at = *std::move(next);
+        velocity = velocity.moved(at.force, k < steps ? step : 0.5 * step);
+    }
+    const double after = at.potential + kinetic_energy(velocity);
+    const double taken = std::exp(std::min(0.0, before - after));
+    if (!(taken > chance)) {  // where it is no number, too
+        return std::isfinite(taken) ? taken : 0.0;
+    }
+    state = std::move(at);
+    return taken;
+}
+
+/// R-hat of half chains.
+/// @param values of each chain
+double disagreement(const std::vector<std::vector<double>>& values) {
+    std::vector<double> means;
+    double within = 0.0;
+    double length = 0.0;
+    for (const std::vector<double>& chain : values) {
+        const auto half = static_cast<Eigen::Index>(chain.size() / 2);
+        const Eigen::Map<const Eigen::ArrayXd> all(chain.data(), std::ssize(chain));
+        for (const Eigen::ArrayXd& part :
+             {Eigen::ArrayXd(all.head(half)), Eigen::ArrayXd(all.tail(half))}) {
+            means.push_back(part.mean());
+            length = static_cast<double>(half);
+            within += (part - part.mean()).square().sum() / (length - 1.0);
+        }
+    }
+    const Eigen::Map<const Eigen::ArrayXd> of_parts(means.data(), std::ssize(means));
+    const auto parts = static_cast<double>(means.size());
+    within /= parts;
+    const double between = (of_parts - of_parts.mean()).square().sum() / (parts - 1.0);
+    return std::sqrt((length - 1.0) / length + between / within);
+}
+
+}  // namespace
+
+std::optional<ChainSamples> hamiltonian_samples(const StaticsModel& model,
+                                                const Observations& observations,
+                                                const Iterate& start, int count, std::uint64_t seed,
+                                                const Progress& progress) {
+    constexpr std::uint32_t first_stream = 0x20000000U;
+    const std::optional<Linearisation> metric =
+        linearise(model, start, satisfied(model, observations, start));
+    if (!metric) {
+        return std::nullopt;
+    }
+    struct Run {
+        std::vector<Iterate> iterates;
+        std::vector<double> mean_tensions;
+        std::vector<double> potentials;
+        double step = 0.0;
+        double acceptance = 0.0;
+    };
+    const int of_each = (count + chains - 1) / chains;
+    const int kept = std::max(fewest_kept, of_each);
+    const double tolerance = 1e-3 / std::sqrt(observations.weights.maxCoeff());
+    const Eigen::VectorXd weights = mean_weights(model.net());
+    std::array<std::optional<Run>, chains> runs;
+    const auto run_chain = [&](int c) {
+        RandomNumbers random(seed, first_stream + static_cast<std::uint32_t>(c));
+        Chain chain(model, observations, start, *metric, tolerance);
+        std::optional<ChainState> state = chain.state_at(start);
+        if (!state) {
+            return;
+        }
+        Run run;
+        double log_step = std::log(0.05);
+        for (int k = -warm_up; k < kept; ++k) {
+            progress.throw_if_stopped();
+            run.step = std::exp(log_step);
+            const double time = duration * (0.6 + 0.8 * random.uniform());
+            const int steps = std::clamp(static_cast<int>(time / run.step), 1, most_steps);
+            const double taken = chain.advance(*state, run.step, steps, random);
+            if (k < 0) {  // H. Robbins & S. Monro 1951
+                log_step += (taken - wanted_acceptance) / std::pow(k + warm_up + 1.0, 0.6);
+                if (2 * (k + warm_up) > warm_up && log_step < std::log(least_step)) {
+                    return;
+                }
+                continue;
+            }
+            run.acceptance += taken / kept;
+            run.mean_tensions.push_back(weights.dot(model.tensions(state->iterate)));
+            run.potentials.push_back(state->potential);
+            if ((k + 1) * of_each / kept > k * of_each / kept) {
+                run.iterates.push_back(state->iterate);
+            }
+        }
+        runs[static_cast<size_t>(c)] = std::move(run);
+    };
+    parallel_for(0, chains, [&](int c) { isolate([&] { run_chain(c); }); });
+    ChainSamples result{.step = std::numeric_limits<double>::infinity()};
+    std::vector<std::vector<double>> tensions;
+    std::vector<std::vector<double>> potentials;
+    for (std::optional<Run>& run : runs) {
+        if (!run) {
+            return std::nullopt;
+        }
+        std::ranges::move(run->iterates, std::back_inserter(result.iterates));
+        result.step = std::min(result.step, run->step);
+        result.acceptance += run->acceptance / chains;
+        tensions.push_back(std::move(run->mean_tensions));
+        potentials.push_back(std::move(run->potentials));
+    }
+    result.iterates.resize(static_cast<size_t>(count));
+    result.disagreement = std::max(disagreement(tensions), disagreement(potentials));
+    return result;
+}
+
+}  // namespace taut
