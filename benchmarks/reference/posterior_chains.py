@@ -368,7 +368,7 @@ def main():
     cases = [
         case("all nodes", net, 0.005, 0.005, 0.0005, [], arguments.sweeps, 1),
         case("a hidden node", net, 0.005, 0.005, 0.0005, [inner], arguments.sweeps, 2),
-        case("slack edges", other, 0.012, 0.012, 0.0005, [], arguments.sweeps, 6),
+        case("slack edges", net, 0.02, 0.02, 0.0005, [], arguments.sweeps, 6),
         case("a prior given", net, 0.005, uniform(0.005, 1.5, 0.75), 0.0005, [], arguments.sweeps // 3, 3),
         case("a prior given too narrow", other, 0.003, uniform(0.002, 1.5, 0.75), 0.0005, [], arguments.sweeps // 3, 4),
         case("no prior given", other, 0.002, uniform(0.005, 2.5, 0.5), 0.0005, [], arguments.sweeps // 3, 5),

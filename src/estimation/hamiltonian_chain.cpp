@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -20,12 +22,13 @@ namespace taut {
 namespace {
 
 constexpr int chains = 4;
-constexpr int warm_up = 40;           ///< trajectories of a chain that find its step
+constexpr int warm_up_trajectories = 40;  ///< of a chain: they find its step
 constexpr int fewest_kept = 50;       ///< trajectories after them, which show whether chains agree
 constexpr double duration = 2.4;      ///< mean of a trajectory: a normal direction swings with 2 pi
 constexpr int most_steps = 150;       ///< of a trajectory
 constexpr double least_step = 0.005;  ///< with smaller ones a chain makes no way
 constexpr double wanted_acceptance = 0.8;
+constexpr double hopeless = 2.0;  ///< disagreement
 
 /// Newton's method on the form of a model, and solutions with its stiffness H.
 class FormOfModel {
@@ -158,6 +161,9 @@ public:
           const Linearisation& metric, double tolerance);
 
     [[nodiscard]] std::optional<ChainState> state_at(Iterate iterate);
+    /// Somewhere about as far from the centre as the posterior is wide, or farther, so that chains
+    /// that agree have seen it.
+    [[nodiscard]] std::optional<ChainState> far_from(const Iterate& centre, RandomNumbers& random);
     /// One trajectory, taken or not; its probability of being taken.
     double advance(ChainState& state, double step, int steps, RandomNumbers& random);
 
@@ -252,6 +258,18 @@ std::optional<ChainState> Chain::state_at(Iterate iterate) {
                              0.5 * shared.dot(m_means.precision.solve(shared));
     Iterate force = with_common_means(step_to(pulled(iterate)));
     return ChainState{std::move(iterate), potential, std::move(force)};
+}
+
+std::optional<ChainState> Chain::far_from(const Iterate& centre, RandomNumbers& random) {
+    constexpr double farther = 2.0;
+    constexpr double least = 0.1;
+    const Iterate direction = drawn_velocity(random);
+    for (double distance = farther; distance > least; distance *= 0.5) {
+        if (std::optional<ChainState> state = state_at(centre.moved(direction, distance))) {
+            return state;
+        }
+    }
+    return state_at(centre);
 }
 
 /// (hamiltonian): observations to which one step from the start is A^-1 (- dU/dx).
@@ -403,77 +421,130 @@ double disagreement(const std::vector<std::vector<double>>& values) {
     return std::sqrt((length - 1.0) / length + between / within);
 }
 
+/// A chain with its samples so far.
+class Run {
+public:
+    Run(const StaticsModel& model, const Observations& observations, const Iterate& centre,
+        const Linearisation& metric, double tolerance, const RandomNumbers& random)
+        : m_model(model),
+          m_weights(mean_weights(model.net())),
+          m_chain(model, observations, centre, metric, tolerance),
+          m_random(random),
+          m_state(m_chain.far_from(centre, m_random)) {}
+
+    /// Finds the step; false where none makes any way.
+    [[nodiscard]] bool warm_up(const Progress& progress);
+    /// Forgets all samples and goes on.
+    /// @param thinned how many iterates of them are kept
+    void sample(int count, int thinned, const Progress& progress);
+
+    std::vector<Iterate> iterates;
+    std::vector<double> mean_tensions;  ///< of all samples
+    std::vector<double> potentials;
+    double acceptance = 0.0;
+    double step = 0.0;
+
+private:
+    double advance() {
+        const double time = duration * (0.6 + 0.8 * m_random.uniform());
+        const int steps = std::clamp(static_cast<int>(time / step), 1, most_steps);
+        return m_chain.advance(*m_state, step, steps, m_random);
+    }
+
+    const StaticsModel& m_model;
+    Eigen::VectorXd m_weights;
+    Chain m_chain;
+    RandomNumbers m_random;
+    std::optional<ChainState> m_state;
+};
+
+/// By H. Robbins & S. Monro 1951.
+bool Run::warm_up(const Progress& progress) {
+    constexpr double first_step = 0.05;
+    if (!m_state) {
+        return false;
+    }
+    step = first_step;
+    for (int k = 0; k < warm_up_trajectories; ++k) {
+        progress.throw_if_stopped();
+        step *= std::exp((advance() - wanted_acceptance) / std::pow(k + 1.0, 0.6));
+        if (2 * k > warm_up_trajectories && step < least_step) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void Run::sample(int count, int thinned, const Progress& progress) {
+    iterates.clear();
+    mean_tensions.clear();
+    potentials.clear();
+    acceptance = 0.0;
+    for (int k = 0; k < count; ++k) {
+        progress.throw_if_stopped();
+        acceptance += advance() / count;
+        mean_tensions.push_back(m_weights.dot(m_model.tensions(m_state->iterate)));
+        potentials.push_back(m_state->potential);
+        if ((k + 1) * thinned / count > k * thinned / count) {
+            iterates.push_back(m_state->iterate);
+        }
+    }
+}
+
+ChainSamples together(const std::deque<Run>& runs) {
+    ChainSamples result{.step = std::numeric_limits<double>::infinity()};
+    std::vector<std::vector<double>> tensions;
+    std::vector<std::vector<double>> potentials;
+    for (const Run& run : runs) {
+        std::ranges::copy(run.iterates, std::back_inserter(result.iterates));
+        result.step = std::min(result.step, run.step);
+        result.acceptance += run.acceptance / chains;
+        tensions.push_back(run.mean_tensions);
+        potentials.push_back(run.potentials);
+    }
+    result.disagreement = std::max(disagreement(tensions), disagreement(potentials));
+    return result;
+}
+
 }  // namespace
 
 std::optional<ChainSamples> hamiltonian_samples(const StaticsModel& model,
                                                 const Observations& observations,
-                                                const Iterate& start, int count, std::uint64_t seed,
-                                                const Progress& progress) {
+                                                const Iterate& centre, int count,
+                                                std::uint64_t seed, const Progress& progress) {
     constexpr std::uint32_t first_stream = 0x20000000U;
+    constexpr int most_rounds = 3;
     const std::optional<Linearisation> metric =
-        linearise(model, start, satisfied(model, observations, start));
+        linearise(model, centre, satisfied(model, observations, centre));
     if (!metric) {
         return std::nullopt;
     }
-    struct Run {
-        std::vector<Iterate> iterates;
-        std::vector<double> mean_tensions;
-        std::vector<double> potentials;
-        double step = 0.0;
-        double acceptance = 0.0;
-    };
     const int of_each = (count + chains - 1) / chains;
     const int kept = std::max(fewest_kept, of_each);
     const double tolerance = 1e-3 / std::sqrt(observations.weights.maxCoeff());
-    const Eigen::VectorXd weights = mean_weights(model.net());
-    std::array<std::optional<Run>, chains> runs;
-    const auto run_chain = [&](int c) {
-        RandomNumbers random(seed, first_stream + static_cast<std::uint32_t>(c));
-        Chain chain(model, observations, start, *metric, tolerance);
-        std::optional<ChainState> state = chain.state_at(start);
-        if (!state) {
-            return;
-        }
-        Run run;
-        double log_step = std::log(0.05);
-        for (int k = -warm_up; k < kept; ++k) {
-            progress.throw_if_stopped();
-            run.step = std::exp(log_step);
-            const double time = duration * (0.6 + 0.8 * random.uniform());
-            const int steps = std::clamp(static_cast<int>(time / run.step), 1, most_steps);
-            const double taken = chain.advance(*state, run.step, steps, random);
-            if (k < 0) {  // H. Robbins & S. Monro 1951
-                log_step += (taken - wanted_acceptance) / std::pow(k + warm_up + 1.0, 0.6);
-                if (2 * (k + warm_up) > warm_up && log_step < std::log(least_step)) {
-                    return;
-                }
-                continue;
-            }
-            run.acceptance += taken / kept;
-            run.mean_tensions.push_back(weights.dot(model.tensions(state->iterate)));
-            run.potentials.push_back(state->potential);
-            if ((k + 1) * of_each / kept > k * of_each / kept) {
-                run.iterates.push_back(state->iterate);
-            }
-        }
-        runs[static_cast<size_t>(c)] = std::move(run);
+    std::deque<Run> runs;  // which stay where they are
+    for (int c = 0; c < chains; ++c) {
+        runs.emplace_back(model, observations, centre, *metric, tolerance,
+                          RandomNumbers(seed, first_stream + static_cast<std::uint32_t>(c)));
+    }
+    std::array<bool, chains> make_way{};
+    const auto each = [&](const auto& act) {
+        parallel_for(0, chains,
+                     [&](int c) { isolate([&] { act(c, runs[static_cast<size_t>(c)]); }); });
     };
-    parallel_for(0, chains, [&](int c) { isolate([&] { run_chain(c); }); });
-    ChainSamples result{.step = std::numeric_limits<double>::infinity()};
-    std::vector<std::vector<double>> tensions;
-    std::vector<std::vector<double>> potentials;
-    for (std::optional<Run>& run : runs) {
-        if (!run) {
-            return std::nullopt;
+    each([&](int c, Run& run) { make_way[static_cast<size_t>(c)] = run.warm_up(progress); });
+    if (!std::ranges::all_of(make_way, std::identity())) {
+        return std::nullopt;
+    }
+    ChainSamples result;
+    for (int round = 0; round < most_rounds; ++round) {
+        each([&](int, Run& run) { run.sample(kept, of_each, progress); });
+        result = together(runs);
+        if (result.disagreement < ChainSamples::agreed || !(result.disagreement < hopeless)) {
+            break;
         }
-        std::ranges::move(run->iterates, std::back_inserter(result.iterates));
-        result.step = std::min(result.step, run->step);
-        result.acceptance += run->acceptance / chains;
-        tensions.push_back(std::move(run->mean_tensions));
-        potentials.push_back(std::move(run->potentials));
     }
     result.iterates.resize(static_cast<size_t>(count));
-    result.disagreement = std::max(disagreement(tensions), disagreement(potentials));
     return result;
 }
 

@@ -19,6 +19,7 @@ struct ChainSamples {
     /// By how much the chains differ: the largest of the mean tension's and the objective's R-hat,
     /// 1 where they agree (A. Gelman & D. B. Rubin 1992, of half chains).
     double disagreement = 0.0;
+    static constexpr double agreed = 1.2;  ///< disagreement of chains that may be believed
 };
 
 /// Hamiltonian Monte Carlo on the posterior of all that is uncertain, with the form eliminated by
@@ -26,12 +27,12 @@ struct ChainSamples {
 /// normal, as where edges are slack or taut within them. Costs thousands of equilibria.
 /// @param model whose cables carry no pressure
 /// @param observations with the prior that the samples are to have
-/// @param start near equilibrium, with all cables taut; the trajectories have its metric
-/// @return nothing where there is no factor, no equilibrium at the start, or no way from it
+/// @param centre near equilibrium, with all cables taut: the trajectories have its metric
+/// @return nothing where there is no factor, no equilibrium at the centre, or no way from there
 /// @throws Interrupted
 [[nodiscard]] std::optional<ChainSamples> hamiltonian_samples(const StaticsModel& model,
                                                               const Observations& observations,
-                                                              const Iterate& start, int count,
+                                                              const Iterate& centre, int count,
                                                               std::uint64_t seed,
                                                               const Progress& progress = {});
 

@@ -33,7 +33,6 @@ constexpr double decrement_of_draw = 0.05;
 
 constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
 constexpr double corner_of_chains = 0.01;
-constexpr double largest_disagreement = 1.2;
 
 /// Draws that are fitted come to their tension laws in stages, each from the one before it: laws
 /// are blurred by these parts of the blur of the fit.
@@ -106,6 +105,7 @@ private:
         Eigen::VectorXd tensions;
         std::optional<ModelPerturbation> perturbation;
         double squared_departure = 0.0;
+        double squared_tension_departure = 0.0;  ///< of all edges [N2]
     };
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
                    const Progress& progress) const;
@@ -500,6 +500,7 @@ std::optional<Perturbation::Draw> Perturbation::completed(const Perturbed& found
     }
     result.squared_departure =
         squared_departure(fit->iterate, fit->tensions, result.form, result.tensions);
+    result.squared_tension_departure = (result.tensions - fit->tensions).squaredNorm();
     result.deviations = std::move(drawn.deviations);
     return result;
 }
@@ -558,10 +559,10 @@ PerturbedDraws Perturbation::run_chains(int count, const Progress& progress) con
     StaticsModel model = m_refit_model;
     model.corner_width = corner_of_chains * smallest_noise(m_net, m_sites);
     model.blur.strain_stds *= *std::rbegin(blurs_of_draws);
+    PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
     const std::optional<ChainSamples> found =
         hamiltonian_samples(model, m_sites, m_all_taut, count, m_seed, progress);
     std::vector<std::optional<Draw>> draws(static_cast<size_t>(count));
-    PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
     parallel_for(0, found ? count : 0, [&](int k) {
         isolate([&] {
             RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
@@ -572,9 +573,18 @@ PerturbedDraws Perturbation::run_chains(int count, const Progress& progress) con
                            .fit = {.iterate = iterate, .tensions = model.tensions(iterate)},
                            .is_refitted = true},
                           random, workspaces.local());
+            if (draws[k]) {  // where a node hangs loose, the sample's place is of the posterior
+                draws[k]->form = iterate.form;
+            }
         });
     });
     PerturbedDraws result = collected(draws, true);
+    double squares = 0.0;
+    for (const auto& one : draws) {
+        squares += one ? one->squared_tension_departure : 0.0;
+    }
+    const Eigen::MatrixXd from_mean = result.tensions.colwise() - result.tensions.rowwise().mean();
+    result.departure = std::sqrt(squares / from_mean.squaredNorm());
     result.is_of_chains = true;
     result.disagreement = found ? found->disagreement : std::numeric_limits<double>::infinity();
     return result;
@@ -604,7 +614,7 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
 bool PerturbedDraws::is_unreliable() const {
     const auto asked = static_cast<double>(count() + left_out);
     return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure) ||
-           !(disagreement <= largest_disagreement);
+           !(disagreement < ChainSamples::agreed);
 }
 
 bool can_be_fitted(const CableNet& net) {

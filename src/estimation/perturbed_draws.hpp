@@ -27,7 +27,8 @@ struct PerturbedDraws {
     /// estimates of the lengths must be, too; empty: not far [m].
     Eigen::VectorXd length_shift = {};
     /// Root mean square distance of the forms in equilibrium from those drawn, over surveyed
-    /// coordinates and draws, in standard deviations of the survey; force measurements likewise.
+    /// coordinates and draws, in standard deviations of the survey; force measurements likewise. Of
+    /// chains: that of the tensions, in standard deviations of all draws.
     double departure = 0.0;
     int left_out = 0;  ///< draws that found no fit or no equilibrium
     bool is_of_chains = false;

@@ -3,6 +3,7 @@
 #include "identification/draw_posterior.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,32 +65,33 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
     for (const IdentifiedEdge& edge : result.edges) {
         known += edge.std / static_cast<double>(result.edges.size());
     }
-    if (stretch < known && !drawn.is_of_chains) {
+    const bool makes_no_way = drawn.is_of_chains && !std::isfinite(drawn.disagreement);
+    if (stretch < known && (!drawn.is_of_chains || makes_no_way)) {
         return fmt::format(
             "this survey does not show which edges are slack. The cables stretch by {:.2g} mm in "
             "the mean, and their lengths are known to +-{:.2g} mm",
             1e3 * stretch, 1e3 * known);
     }
-    std::string reasons;
-    if (drawn.left_out > 0) {
-        reasons = fmt::format("{} of {} samples found no equilibrium", drawn.left_out,
-                              drawn.count() + drawn.left_out);
-    }
-    if (drawn.is_of_chains) {
-        reasons += std::isfinite(drawn.disagreement)
-                       ? fmt::format("{}chains differ, R-hat {:.3g}", reasons.empty() ? "" : ", ",
-                                     drawn.disagreement)
-                       : "chains make no way";
-    }
-    if (drawn.count() > 0) {
-        reasons += fmt::format(
-            "{}the samples miss equilibrium by {:.2g} standard deviations of the survey",
-            reasons.empty() ? "" : ", ", drawn.departure);
+    std::vector<std::string> reasons;
+    if (makes_no_way) {
+        reasons.emplace_back("chains of samples make no way");
+    } else {
+        if (drawn.left_out > 0) {
+            reasons.push_back(fmt::format("{} of {} samples found no equilibrium", drawn.left_out,
+                                          drawn.count() + drawn.left_out));
+        }
+        if (drawn.is_of_chains) {
+            reasons.push_back(
+                fmt::format("chains of samples differ, R-hat {:.3g}", drawn.disagreement));
+        }
+        reasons.push_back(
+            fmt::format("the samples miss equilibrium by {:.2g} standard deviations of {}",
+                        drawn.departure, drawn.is_of_chains ? "their tensions" : "the survey"));
     }
     return fmt::format(
         "they depend too strongly on how slack the cables are, which this survey does not show "
         "({}). A closer survey, a narrower prior if it is true, or load cells would help",
-        reasons);
+        fmt::join(reasons, ", "));
 }
 
 ModelPerturbations perturbations_of(const CableNet& net,
@@ -219,7 +221,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         drawn = draw(true);
         reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
     }
-    if (!reason.empty() && can_be_chained(fit_net)) {
+    if (!reason.empty() && settings.by_chains && can_be_chained(fit_net)) {
         drawn = draw_by_chains(fitted, sites, knowledge, settings.count, settings.seed, progress);
         reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
     }

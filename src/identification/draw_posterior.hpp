@@ -20,6 +20,7 @@ struct PosteriorSettings {
     int count = 0;  ///< of draws
     std::uint64_t seed = 1;
     std::vector<int> covariance_of;  ///< IdentifyOptions::covariance_of
+    bool by_chains = true;           ///< where all else fails, which takes long
 };
 
 /// Draws the posterior around a fit (draw_by_perturbation()), then sets tensions, places of missing

@@ -361,12 +361,12 @@ struct Comparison {
     const std::vector<EpochChain::Changes>& changes;
 };
 
-Identification last_of(const EpochChain& chain, const Comparison& of, int draws, std::uint64_t seed,
-                       const Progress& progress) {
+Identification last_of(const EpochChain& chain, const Comparison& of,
+                       const PosteriorSettings& wanted, const Progress& progress) {
     const int k = chain.reported();
-    return identify_by_maximum_a_posteriori(
-        chain.net_at(k), of.epochs[static_cast<size_t>(k)].survey, chain.given(k), {},
-        {.count = draws, .seed = seed}, progress);
+    return identify_by_maximum_a_posteriori(chain.net_at(k),
+                                            of.epochs[static_cast<size_t>(k)].survey,
+                                            chain.given(k), {}, wanted, progress);
 }
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
@@ -379,11 +379,11 @@ std::optional<Identification> over_priors(const Comparison& of, const std::vecto
     const size_t reported = reported_epoch(of.epochs);
     return mixture_over(
         net_at_survey(of.net, of.epochs, reported), of.epochs[reported].survey, nodes,
-        of.options.draws, [&](size_t k, int draws) -> std::optional<Identification> {
+        {.count = of.options.draws, .seed = of.options.seed},
+        [&](size_t k, const PosteriorSettings& wanted) -> std::optional<Identification> {
             EpochChain chain(of.net, of.epochs, of.options, nodes[k].prior, 0.0, of.changes);
-            return chain.converge(progress)
-                       ? std::optional(last_of(chain, of, draws, of.options.seed + k, progress))
-                       : std::nullopt;
+            return chain.converge(progress) ? std::optional(last_of(chain, of, wanted, progress))
+                                            : std::nullopt;
         });
 }
 
@@ -500,7 +500,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                 first.prior.exact ? std::nullopt : over_priors(of, first.prior.nodes, progress);
             is_mixture = mixture.has_value();
             result = mixture ? *std::move(mixture)
-                             : last_of(chain, of, options.draws, options.seed, progress);
+                             : last_of(chain, of, {.count = options.draws, .seed = options.seed},
+                                       progress);
             name_given_widths(result, options.uncertain);
             add_repeats(together, chain);
         } else {

@@ -161,7 +161,12 @@ struct AssumedPrior {
     LengthPrior prior;
     std::optional<Hyperprior> around;  ///< empty: the prior is exact
     bool has_trend = false;            ///< Given::has_trend
+    PosteriorSettings wanted;
 };
+
+PosteriorSettings wanted_by(const IdentifyOptions& options) {
+    return {.count = options.draws, .seed = options.seed, .covariance_of = options.covariance_of};
+}
 
 /// A fit of its own, which shows noise, prior, length outliers and frame for any method.
 /// @return empty where the survey is exact, or the fit does not converge
@@ -260,11 +265,8 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
             Given given(prior.prior, options.uncertain, options.forces);
             given.hyperprior = prior.around;
             given.has_trend = prior.has_trend;
-            result = identify_by_maximum_a_posteriori(net, survey, given, {},
-                                                      {.count = options.draws,
-                                                       .seed = options.seed,
-                                                       .covariance_of = options.covariance_of},
-                                                      progress);
+            result =
+                identify_by_maximum_a_posteriori(net, survey, given, {}, prior.wanted, progress);
             result.how = fmt::format("maximum a posteriori under the statics, lengths {}",
                                      prior.prior.to_string());
             break;
@@ -315,9 +317,10 @@ double distance(double std, const LengthPrior& prior) {
 
 /// A fit with a prior far from the truth rejects sound targets and lengths. So it is repeated with
 /// the prior that it shows, until that stays.
-Identification identify_at_centre(IdentificationMethod method, const CableNet& net,
-                                  const Survey& survey, const AssumedPrior& first,
-                                  const IdentifyOptions& options, const Progress& progress) {
+/// @return without draws; and the last prior
+std::pair<Identification, AssumedPrior> identify_at_centre(
+    IdentificationMethod method, const CableNet& net, const Survey& survey,
+    const AssumedPrior& first, const IdentifyOptions& options, const Progress& progress) {
     constexpr double far = 0.25;
     constexpr int most_centres = 3;
     AssumedPrior prior = first;
@@ -332,7 +335,7 @@ Identification identify_at_centre(IdentificationMethod method, const CableNet& n
     if (options.prior && by_given.is_untenable() && !by_given.is_too_wide()) {
         result.contradicted_prior = by_given;
     }
-    return result;
+    return {std::move(result), prior};
 }
 
 /// (prior-mixture): by each prior of the posterior, mixed.
@@ -343,10 +346,26 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     const Hyperprior around =
         options.prior ? hyperprior_around(*options.prior) : broad_hyperprior();
     const AssumedPrior first{.prior = around.centre, .around = around, .has_trend = true};
-    Identification centre = identify_at_centre(method, net, survey, first, options, progress);
+    const PosteriorSettings wanted = wanted_by(options);
+    auto found = identify_at_centre(method, net, survey, first, options, progress);
+    Identification& centre = found.first;
+    const auto centre_alone = [&] {
+        if (method != IdentificationMethod::map) {
+            return centre;  // they draw nothing
+        }
+        AssumedPrior by = found.second;
+        by.wanted = wanted;
+        Identification drawn = identify_and_audit(method, net, survey, by, options, progress);
+        drawn.contradicted_prior = centre.contradicted_prior;
+        drawn.prior = centre.prior;
+        return drawn;
+    };
     PriorEstimate& prior = centre.prior;
-    if (centre.status != IdentificationStatus::converged || prior.exact) {
+    if (centre.status != IdentificationStatus::converged) {
         return centre;
+    }
+    if (prior.exact) {
+        return centre_alone();
     }
     if (method == IdentificationMethod::gp && prior.nodes.size() > 1) {
         // Training takes long: one model for all.
@@ -355,18 +374,17 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     if (prior.nodes.size() == 1 && prior.nodes.front().prior.kind == centre.length_prior.kind &&
         distance(prior.nodes.front().prior.std(), centre.length_prior) < as_good_as) {
         prior.nodes.front().prior = centre.length_prior;
-        return centre;
+        return centre_alone();
     }
-    auto mixture = mixture_over(net, survey, prior.nodes, options.draws, [&](size_t k, int draws) {
-        IdentifyOptions by_node = options;
-        by_node.draws = draws;
-        by_node.seed = options.seed + k;
-        return std::optional(identify_and_audit(
-            method, net, survey, {.prior = prior.nodes[k].prior, .around = {}, .has_trend = true},
-            by_node, progress));
-    });
+    auto mixture = mixture_over(
+        net, survey, prior.nodes, wanted, [&](size_t k, const PosteriorSettings& of_part) {
+            return std::optional(identify_and_audit(
+                method, net, survey,
+                {.prior = prior.nodes[k].prior, .around = {}, .has_trend = true, .wanted = of_part},
+                options, progress));
+        });
     if (!mixture) {
-        return centre;
+        return centre_alone();
     }
     Identification result = *std::move(mixture);
     prior.common = result.prior.common;
@@ -499,8 +517,9 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();
     Identification result =
-        is_exact ? identify_and_audit(method, net, survey, {.prior = prior, .around = {}}, options,
-                                      progress)
+        is_exact ? identify_and_audit(method, net, survey,
+                                      {.prior = prior, .around = {}, .wanted = wanted_by(options)},
+                                      options, progress)
                  : identify_over_priors(method, net, survey, options, progress);
     if (is_exact) {
         result.prior = exact_prior(prior);

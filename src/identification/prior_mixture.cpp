@@ -20,6 +20,10 @@ namespace {
 /// Unreliable draws of parts with less probability are left out.
 constexpr double negligible = 0.1;
 
+bool has_unreliable_draws(const Identification& result) {
+    return result.draws && !result.draws->reason.empty();
+}
+
 /// Mean and standard deviation of a mixture.
 class Moments {
 public:
@@ -50,11 +54,13 @@ std::pair<double, double> mixed(const std::vector<WeightedIdentification>& parts
     return {moments.mean(), moments.std()};
 }
 
+/// Whether an edge is slack shows only by reliable draws of all parts, or where all of them say it.
 IdentifiedEdge mixed_edge(const std::vector<WeightedIdentification>& parts, size_t i,
                           double prior_std) {
     IdentifiedEdge edge = parts.front().result.edges[i];
     std::vector<MixturePart> ends;
     double slack = 0.0;
+    bool is_open = false;
     double lowest = edge.lower;
     double highest = edge.upper;
     for (const auto& [weight, result] : parts) {
@@ -62,14 +68,17 @@ IdentifiedEdge mixed_edge(const std::vector<WeightedIdentification>& parts, size
         ends.push_back({weight, one.length_deviation, one.lower, one.upper});
         lowest = std::min(lowest, one.lower);
         highest = std::max(highest, one.upper);
-        slack += one.status == EdgeStatus::slack ? weight : 0.0;
+        const bool is_slack = one.status == EdgeStatus::slack;
+        slack += is_slack ? weight : 0.0;
+        is_open = is_open || (!is_slack && has_unreliable_draws(result));
     }
     std::tie(edge.length_deviation, edge.std) = mixed(parts, [i](const Identification& result) {
         return std::pair(result.edges[i].length_deviation, result.edges[i].std);
     });
     edge.lower = std::clamp(quantile_of(ends, 0.025), lowest, edge.length_deviation);
     edge.upper = std::clamp(quantile_of(ends, 0.975), edge.length_deviation, highest);
-    edge.status = status_of(prior_std, {.std = edge.std, .slack_probability = slack});
+    edge.status =
+        status_of(prior_std, {.std = edge.std, .slack_probability = is_open ? 0.0 : slack});
     return edge;
 }
 
@@ -197,7 +206,7 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
 /// Without parts of little probability whose draws are unreliable.
 std::vector<WeightedIdentification> without_unreliable(std::vector<WeightedIdentification> parts) {
     const auto is_unreliable = [](const WeightedIdentification& part) {
-        return part.result.draws && !part.result.draws->reason.empty();
+        return has_unreliable_draws(part.result);
     };
     double unreliable = 0.0;
     for (const WeightedIdentification& part : parts) {
@@ -299,21 +308,28 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
 }
 
 std::optional<Identification> mixture_over(
-    const CableNet& net, const Survey& survey, const std::vector<PriorNode>& nodes, int draws,
-    const std::function<std::optional<Identification>(size_t k, int draws)>& identify_by) {
+    const CableNet& net, const Survey& survey, const std::vector<PriorNode>& nodes,
+    const PosteriorSettings& wanted,
+    const std::function<std::optional<Identification>(size_t k, const PosteriorSettings&)>&
+        identify_by) {
     // Fewer draws would not show whether they are reliable.
     constexpr int fewest_draws = 10;
     constexpr double most_left_out = 0.1;
     std::vector<double> weights(nodes.size());
     std::ranges::transform(nodes, weights.begin(), &PriorNode::weight);
-    const std::vector<int> shares = shared_out(draws, weights);
+    const std::vector<int> shares = shared_out(wanted.count, weights);
     std::vector<WeightedIdentification> parts;
     double converged = 0.0;
+    double unreliable = 0.0;
     for (size_t k = 0; k < nodes.size(); ++k) {
-        std::optional<Identification> part =
-            identify_by(k, draws > 0 ? std::max(fewest_draws, shares[k]) : 0);
+        PosteriorSettings of_part = wanted;
+        of_part.count = wanted.count > 0 ? std::max(fewest_draws, shares[k]) : 0;
+        of_part.seed += k;
+        of_part.by_chains = unreliable < negligible;  // else no draws of the mixture are reliable
+        std::optional<Identification> part = identify_by(k, of_part);
         if (part && part->status == IdentificationStatus::converged) {
             converged += nodes[k].weight;
+            unreliable += has_unreliable_draws(*part) ? nodes[k].weight : 0.0;
             parts.push_back({.weight = nodes[k].weight, .result = *std::move(part)});
         }
     }
@@ -323,7 +339,7 @@ std::optional<Identification> mixture_over(
     for (WeightedIdentification& part : parts) {
         part.weight /= converged;
     }
-    return mixture_of(net, survey, std::move(parts), draws);
+    return mixture_of(net, survey, std::move(parts), wanted.count);
 }
 
 }  // namespace taut

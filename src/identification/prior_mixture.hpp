@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "identification/draw_posterior.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
@@ -28,12 +29,14 @@ struct WeightedIdentification {
                                         std::vector<WeightedIdentification> parts, int draws);
 
 /// The mixture of the results under the priors of a posterior.
-/// @param draws how many all together
-/// @param identify_by gives the result under the k-th of them with so many draws, or nothing
+/// @param wanted of all of them together
+/// @param identify_by gives the result under the k-th of them, or nothing
 /// @return empty where the results converge under too few of them
 [[nodiscard]] std::optional<Identification> mixture_over(
-    const CableNet& net, const Survey& survey, const std::vector<PriorNode>& nodes, int draws,
-    const std::function<std::optional<Identification>(size_t k, int draws)>& identify_by);
+    const CableNet& net, const Survey& survey, const std::vector<PriorNode>& nodes,
+    const PosteriorSettings& wanted,
+    const std::function<std::optional<Identification>(size_t k, const PosteriorSettings&)>&
+        identify_by);
 
 /// Shares out draws by weights that sum to 1.
 [[nodiscard]] std::vector<int> shared_out(int draws, const std::vector<double>& weights);
