@@ -152,8 +152,11 @@ class Uniform:
     def logs(self, d, chains):
         return np.where((np.abs(d) <= self.bound).all(axis=1), 0.0, -np.inf)
 
-    def renew(self, d, rng):
-        pass
+    def renew(self, d, spans, rng):
+        """Lengths of slack edges: any that the form spans is as likely, and moves nothing."""
+        slack = d > spans
+        low = np.maximum(spans[slack], -self.bound)
+        d[slack] = low + (self.bound - low) * rng.random(len(low))
 
     def state(self):
         return np.zeros((CHAINS, 2))
@@ -219,7 +222,7 @@ class Mixture:
             self.b[~take] = old_b[~take]
             self.width = np.where(take, new, self.width)
 
-    def renew(self, d, rng):
+    def renew(self, d, spans, rng):
         self.renew_common(d, rng)
         e = self.own(d, np.arange(len(d)))
         m, r = d.shape[1], self.b.shape[1]
@@ -284,7 +287,8 @@ def sample(net, y, seen, noise, prior, sweeps, rng):
                 accepted = len(who)
             if sweep < warm:
                 scale[k] *= np.exp(0.2 * (accepted / CHAINS - 0.4))
-        prior.renew(d, rng)
+        spans = net.state(r, net.lengths(d))[3][:, net.interior] - net.nominal[net.interior]
+        prior.renew(d, spans, rng)
         U = energy(r) - prior.logs(d, everyone)
         if sweep >= warm and sweep % 5 == 0:
             kept_p.append(prior.state())

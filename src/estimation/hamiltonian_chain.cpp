@@ -6,11 +6,13 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <deque>
 #include <functional>
-#include <iterator>
 #include <limits>
+#include <numbers>
+#include <span>
 #include <utility>
 
 #include "estimation/imagined_observations.hpp"
@@ -124,7 +126,8 @@ bool FormOfModel::settle(Iterate& iterate, double tolerance) {
             next.form = iterate.form + part * step;
             forces = m_model.imbalance(next);
             const double now = forces(Eigen::all, m_numbers.free_nodes).norm();
-            if (now < (1.0 - 1e-4 * part) * size || (part == 1.0 && length < tolerance)) {
+            if (now < (1.0 - 1e-4 * part) * size ||
+                (part == 1.0 && length < tolerance && std::isfinite(now))) {
                 size = now;
                 break;
             }
@@ -157,17 +160,33 @@ struct ChainState {
 
 class Chain {
 public:
-    Chain(const StaticsModel& model, const Observations& observations, const Iterate& start,
-          const Linearisation& metric, double tolerance);
+    Chain(const StaticsModel& model, const Observations& observations, std::span<const int> taut,
+          const Iterate& start, const Linearisation& metric, double tolerance);
 
     [[nodiscard]] std::optional<ChainState> state_at(Iterate iterate);
+    /// Whether all edges are taut that were seen to be.
+    [[nodiscard]] bool is_as_seen(const Iterate& iterate) const;
     /// Somewhere about as far from the centre as the posterior is wide, or farther, so that chains
     /// that agree have seen it.
     [[nodiscard]] std::optional<ChainState> far_from(const Iterate& centre, RandomNumbers& random);
-    /// One trajectory, taken or not; its probability of being taken.
+    /// One trajectory, taken or not; its probability of being taken by its energy.
     double advance(ChainState& state, double step, int steps, RandomNumbers& random);
+    /// Draws the lengths of slack edges anew, which hardly moves the form: trajectories would take
+    /// long to cross what the prior leaves them.
+    void renew_slack_lengths(ChainState& state, RandomNumbers& random);
 
 private:
+    struct SlackLength {
+        int interior;  ///< index of the edge among the interior ones
+        double from;   ///< least length that is slack, in standard deviations of the prior
+        friend bool operator==(const SlackLength& a, const SlackLength& b) {
+            return a.interior == b.interior;
+        }
+    };
+    [[nodiscard]] std::vector<SlackLength> slack_lengths(const Iterate& iterate) const;
+    [[nodiscard]] double standardised(const Iterate& iterate, int i) const {
+        return (iterate.deviations(i) - m_observations.mean(i)) / std::sqrt(m_variances(i));
+    }
     [[nodiscard]] Iterate step_to(const Observations& observations) const {
         return m_metric.step(m_start, observations).moved(m_rest_step, -1.0);
     }
@@ -178,6 +197,7 @@ private:
 
     const StaticsModel& m_model;
     const Observations& m_observations;
+    std::span<const int> m_taut;
     const Iterate& m_start;
     const Linearisation& m_metric;
     double m_tolerance;
@@ -188,10 +208,11 @@ private:
     CommonMeans m_means;
 };
 
-Chain::Chain(const StaticsModel& model, const Observations& observations, const Iterate& start,
-             const Linearisation& metric, double tolerance)
+Chain::Chain(const StaticsModel& model, const Observations& observations, std::span<const int> taut,
+             const Iterate& start, const Linearisation& metric, double tolerance)
     : m_model(model),
       m_observations(observations),
+      m_taut(taut),
       m_start(start),
       m_metric(metric),
       m_tolerance(tolerance),
@@ -199,7 +220,9 @@ Chain::Chain(const StaticsModel& model, const Observations& observations, const 
       m_variances(model.prior_variances(observations)),
       m_rest(satisfied(model, observations, start)),
       m_rest_step(metric.step(start, m_rest)) {
-    const Eigen::MatrixXd& root = observations.mean_root;
+    const Eigen::MatrixXd root = observations.mean_root.size() > 0
+                                     ? observations.mean_root
+                                     : Eigen::MatrixXd(m_variances.size(), 0);
     m_means.pulls = m_variances.cwiseInverse().asDiagonal() * root;
     Eigen::MatrixXd precision =
         Eigen::MatrixXd::Identity(root.cols(), root.cols()) + root.transpose() * m_means.pulls;
@@ -265,11 +288,20 @@ std::optional<ChainState> Chain::far_from(const Iterate& centre, RandomNumbers& 
     constexpr double least = 0.1;
     const Iterate direction = drawn_velocity(random);
     for (double distance = farther; distance > least; distance *= 0.5) {
-        if (std::optional<ChainState> state = state_at(centre.moved(direction, distance))) {
+        std::optional<ChainState> state = state_at(centre.moved(direction, distance));
+        if (state && is_as_seen(state->iterate)) {
             return state;
         }
     }
     return state_at(centre);
+}
+
+bool Chain::is_as_seen(const Iterate& iterate) const {
+    return std::ranges::all_of(m_taut, [&](int e) {
+        const auto [s, t] = m_model.net().edges()[e];
+        return (iterate.form.col(s) - iterate.form.col(t)).norm() >
+               m_model.unstressed_length(e, iterate);
+    });
 }
 
 /// (hamiltonian): observations to which one step from the start is A^-1 (- dU/dx).
@@ -359,10 +391,6 @@ Observations Chain::pulled(const Iterate& at) const {
     }
     if (m_model.are_supports_uncertain()) {
         for (const int node : net.supports()) {
-            if (!(y.support_weights.col(node).minCoeff() > 0.0)) {
-                result.form.col(node) += y.weight(node).llt().solve(places.col(node));
-                continue;
-            }
             for (int k = 0; k < common.count(); ++k) {  // that motion of the frame is in it already
                 of_common(k) += common.support_rate(k, node).dot(places.col(node));
             }
@@ -390,12 +418,69 @@ double Chain::advance(ChainState& state, double step, int steps, RandomNumbers& 
         velocity = velocity.moved(at.force, k < steps ? step : 0.5 * step);
     }
     const double after = at.potential + kinetic_energy(velocity);
+    if (!std::isfinite(after)) {
+        return 0.0;
+    }
     const double taken = std::exp(std::min(0.0, before - after));
-    if (!(taken > chance)) {  // where it is no number, too
-        return std::isfinite(taken) ? taken : 0.0;
+    if (taken <= chance || !is_as_seen(at.iterate)) {
+        return taken;
     }
     state = std::move(at);
     return taken;
+}
+
+std::vector<Chain::SlackLength> Chain::slack_lengths(const Iterate& iterate) const {
+    std::vector<SlackLength> result;
+    const CableNet& net = m_model.net();
+    for (int i = 0; i < net.interior_edge_count() && !net.sags(); ++i) {
+        const int e = net.interior_edges()[i];
+        const auto [s, t] = net.edges()[e];
+        const double extension = (iterate.form.col(s) - iterate.form.col(t)).norm() -
+                                 m_model.unstressed_length(e, iterate);
+        if (extension < 0.0 && net.can_be_slack(e) && !m_model.slack[e]) {
+            const double heated = 1.0 + m_model.common.thermal_strain(e, iterate.common);
+            result.push_back({.interior = i,
+                              .from = standardised(iterate, i) +
+                                      extension / heated / std::sqrt(m_variances(i))});
+        }
+    }
+    return result;
+}
+
+/// Metropolis' rule (W. K. Hastings 1970) for lengths of the prior beyond what the edges span.
+void Chain::renew_slack_lengths(ChainState& state, RandomNumbers& random) {
+    const std::vector<SlackLength> slack = slack_lengths(state.iterate);
+    if (slack.empty()) {
+        return;
+    }
+    const double root = std::numbers::sqrt2;
+    const auto log_density = [root](double from, double z) {
+        return z > from ? -0.5 * z * z - std::log(std::erfc(from / root))
+                        : -std::numeric_limits<double>::infinity();
+    };
+    const double chance = random.uniform();
+    Iterate drawn = state.iterate;
+    for (const auto& [i, from] : slack) {
+        const double z = root * boost::math::erfc_inv(random.uniform() * std::erfc(from / root));
+        drawn.deviations(i) = m_observations.mean(i) + z * std::sqrt(m_variances(i));
+    }
+    std::optional<ChainState> next = state_at(std::move(drawn));
+    if (!next || !is_as_seen(next->iterate)) {
+        return;
+    }
+    const std::vector<SlackLength> back = slack_lengths(next->iterate);
+    if (back != slack) {
+        return;
+    }
+    double log_ratio = state.potential - next->potential;
+    for (size_t k = 0; k < slack.size(); ++k) {
+        const int i = slack[k].interior;
+        log_ratio += log_density(back[k].from, standardised(state.iterate, i)) -
+                     log_density(slack[k].from, standardised(next->iterate, i));
+    }
+    if (std::log(chance) < log_ratio) {
+        state = *std::move(next);
+    }
 }
 
 /// R-hat of half chains.
@@ -418,25 +503,30 @@ double disagreement(const std::vector<std::vector<double>>& values) {
     const auto parts = static_cast<double>(means.size());
     within /= parts;
     const double between = (of_parts - of_parts.mean()).square().sum() / (parts - 1.0);
-    return std::sqrt((length - 1.0) / length + between / within);
+    const double ratio = std::sqrt((length - 1.0) / length + between / within);
+    return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
 }
+
+using Tick = std::function<void()>;
 
 /// A chain with its samples so far.
 class Run {
 public:
-    Run(const StaticsModel& model, const Observations& observations, const Iterate& centre,
-        const Linearisation& metric, double tolerance, const RandomNumbers& random)
+    Run(const StaticsModel& model, const Observations& observations, std::span<const int> taut,
+        const Iterate& centre, const Linearisation& metric, double tolerance,
+        const RandomNumbers& random)
         : m_model(model),
           m_weights(mean_weights(model.net())),
-          m_chain(model, observations, centre, metric, tolerance),
+          m_chain(model, observations, taut, centre, metric, tolerance),
           m_random(random),
           m_state(m_chain.far_from(centre, m_random)) {}
 
     /// Finds the step; false where none makes any way.
-    [[nodiscard]] bool warm_up(const Progress& progress);
+    /// @param tick called before each trajectory
+    [[nodiscard]] bool warm_up(const Tick& tick);
     /// Forgets all samples and goes on.
     /// @param thinned how many iterates of them are kept
-    void sample(int count, int thinned, const Progress& progress);
+    void sample(std::int64_t count, std::int64_t thinned, const Tick& tick);
 
     std::vector<Iterate> iterates;
     std::vector<double> mean_tensions;  ///< of all samples
@@ -448,7 +538,9 @@ private:
     double advance() {
         const double time = duration * (0.6 + 0.8 * m_random.uniform());
         const int steps = std::clamp(static_cast<int>(time / step), 1, most_steps);
-        return m_chain.advance(*m_state, step, steps, m_random);
+        const double taken = m_chain.advance(*m_state, step, steps, m_random);
+        m_chain.renew_slack_lengths(*m_state, m_random);
+        return taken;
     }
 
     const StaticsModel& m_model;
@@ -459,14 +551,14 @@ private:
 };
 
 /// By H. Robbins & S. Monro 1951.
-bool Run::warm_up(const Progress& progress) {
+bool Run::warm_up(const Tick& tick) {
     constexpr double first_step = 0.05;
     if (!m_state) {
         return false;
     }
     step = first_step;
     for (int k = 0; k < warm_up_trajectories; ++k) {
-        progress.throw_if_stopped();
+        tick();
         step *= std::exp((advance() - wanted_acceptance) / std::pow(k + 1.0, 0.6));
         if (2 * k > warm_up_trajectories && step < least_step) {
             return false;
@@ -475,14 +567,14 @@ bool Run::warm_up(const Progress& progress) {
     return true;
 }
 
-void Run::sample(int count, int thinned, const Progress& progress) {
+void Run::sample(std::int64_t count, std::int64_t thinned, const Tick& tick) {
     iterates.clear();
     mean_tensions.clear();
     potentials.clear();
     acceptance = 0.0;
-    for (int k = 0; k < count; ++k) {
-        progress.throw_if_stopped();
-        acceptance += advance() / count;
+    for (std::int64_t k = 0; k < count; ++k) {
+        tick();
+        acceptance += advance() / static_cast<double>(count);
         mean_tensions.push_back(m_weights.dot(m_model.tensions(m_state->iterate)));
         potentials.push_back(m_state->potential);
         if ((k + 1) * thinned / count > k * thinned / count) {
@@ -495,8 +587,12 @@ ChainSamples together(const std::deque<Run>& runs) {
     ChainSamples result{.step = std::numeric_limits<double>::infinity()};
     std::vector<std::vector<double>> tensions;
     std::vector<std::vector<double>> potentials;
+    for (size_t k = 0; k < runs.front().iterates.size(); ++k) {  // the first few are of all chains
+        for (const Run& run : runs) {
+            result.iterates.push_back(run.iterates[k]);
+        }
+    }
     for (const Run& run : runs) {
-        std::ranges::copy(run.iterates, std::back_inserter(result.iterates));
         result.step = std::min(result.step, run.step);
         result.acceptance += run.acceptance / chains;
         tensions.push_back(run.mean_tensions);
@@ -510,8 +606,9 @@ ChainSamples together(const std::deque<Run>& runs) {
 
 std::optional<ChainSamples> hamiltonian_samples(const StaticsModel& model,
                                                 const Observations& observations,
-                                                const Iterate& centre, int count,
-                                                std::uint64_t seed, const Progress& progress) {
+                                                std::span<const int> taut, const Iterate& centre,
+                                                int count, std::uint64_t seed,
+                                                const Progress& progress) {
     constexpr std::uint32_t first_stream = 0x20000000U;
     constexpr int most_rounds = 3;
     const std::optional<Linearisation> metric =
@@ -521,24 +618,34 @@ std::optional<ChainSamples> hamiltonian_samples(const StaticsModel& model,
     }
     const int of_each = (count + chains - 1) / chains;
     const int kept = std::max(fewest_kept, of_each);
-    const double tolerance = 1e-3 / std::sqrt(observations.weights.maxCoeff());
+    const double tolerance =
+        1e-3 / std::sqrt(observations.weights(Eigen::all, model.net().free_nodes()).maxCoeff());
     std::deque<Run> runs;  // which stay where they are
     for (int c = 0; c < chains; ++c) {
-        runs.emplace_back(model, observations, centre, *metric, tolerance,
+        runs.emplace_back(model, observations, taut, centre, *metric, tolerance,
                           RandomNumbers(seed, first_stream + static_cast<std::uint32_t>(c)));
     }
     std::array<bool, chains> make_way{};
+    int done = 0;
+    const auto tick = [&](int c) -> Tick {
+        if (c > 0) {
+            return [&] { progress.throw_if_stopped(); };
+        }
+        return [&] {  // of one thread, and as far as the others
+            progress("posterior samples", done++, warm_up_trajectories + most_rounds * kept);
+        };
+    };
     const auto each = [&](const auto& act) {
         parallel_for(0, chains,
                      [&](int c) { isolate([&] { act(c, runs[static_cast<size_t>(c)]); }); });
     };
-    each([&](int c, Run& run) { make_way[static_cast<size_t>(c)] = run.warm_up(progress); });
+    each([&](int c, Run& run) { make_way[static_cast<size_t>(c)] = run.warm_up(tick(c)); });
     if (!std::ranges::all_of(make_way, std::identity())) {
         return std::nullopt;
     }
     ChainSamples result;
     for (int round = 0; round < most_rounds; ++round) {
-        each([&](int, Run& run) { run.sample(kept, of_each, progress); });
+        each([&](int c, Run& run) { run.sample(kept, of_each, tick(c)); });
         result = together(runs);
         if (result.disagreement < ChainSamples::agreed || !(result.disagreement < hopeless)) {
             break;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimation/linearisation.hpp"
@@ -27,13 +28,12 @@ struct ChainSamples {
 /// normal, as where edges are slack or taut within them. Costs thousands of equilibria.
 /// @param model whose cables carry no pressure
 /// @param observations with the prior that the samples are to have
+/// @param taut edges that were seen to be taut: no sample has them slack
 /// @param centre near equilibrium, with all cables taut: the trajectories have its metric
 /// @return nothing where there is no factor, no equilibrium at the centre, or no way from there
 /// @throws Interrupted
-[[nodiscard]] std::optional<ChainSamples> hamiltonian_samples(const StaticsModel& model,
-                                                              const Observations& observations,
-                                                              const Iterate& centre, int count,
-                                                              std::uint64_t seed,
-                                                              const Progress& progress = {});
+[[nodiscard]] std::optional<ChainSamples> hamiltonian_samples(
+    const StaticsModel& model, const Observations& observations, std::span<const int> taut,
+    const Iterate& centre, int count, std::uint64_t seed, const Progress& progress = {});
 
 }  // namespace taut

@@ -33,6 +33,7 @@ constexpr double decrement_of_draw = 0.05;
 
 constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
 constexpr double corner_of_chains = 0.01;
+constexpr int fewest_chain_draws = 40;  ///< they show whether chains follow the exact law
 
 /// Draws that are fitted come to their tension laws in stages, each from the one before it: laws
 /// are blurred by these parts of the blur of the fit.
@@ -138,6 +139,7 @@ private:
     }
     [[nodiscard]] std::optional<Draw> completed(const Perturbed& found, RandomNumbers& random,
                                                 Workspace& workspace) const;
+    [[nodiscard]] double tension_departure(const std::vector<std::optional<Draw>>& draws) const;
     [[nodiscard]] std::vector<PerturbedFit> fits_with_determinants(bool refit_all,
                                                                    const Progress& progress) const;
     [[nodiscard]] Eigen::VectorXd move_sites(bool refit_all, const Progress& progress);
@@ -559,11 +561,12 @@ PerturbedDraws Perturbation::run_chains(int count, const Progress& progress) con
     StaticsModel model = m_refit_model;
     model.corner_width = corner_of_chains * smallest_noise(m_net, m_sites);
     model.blur.strain_stds *= *std::rbegin(blurs_of_draws);
+    const int drawn = std::max(count, fewest_chain_draws);
+    const std::optional<ChainSamples> found = hamiltonian_samples(
+        model, m_sites, m_knowledge.forces.taut, m_all_taut, drawn, m_seed, progress);
+    std::vector<std::optional<Draw>> draws(static_cast<size_t>(found ? drawn : 0));
     PerThread<Workspace> workspaces([this] { return Workspace(m_net); });
-    const std::optional<ChainSamples> found =
-        hamiltonian_samples(model, m_sites, m_all_taut, count, m_seed, progress);
-    std::vector<std::optional<Draw>> draws(static_cast<size_t>(count));
-    parallel_for(0, found ? count : 0, [&](int k) {
+    parallel_for(0, static_cast<int>(draws.size()), [&](int k) {
         isolate([&] {
             RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
             const Iterate& iterate = found->iterates[static_cast<size_t>(k)];
@@ -573,21 +576,29 @@ PerturbedDraws Perturbation::run_chains(int count, const Progress& progress) con
                            .fit = {.iterate = iterate, .tensions = model.tensions(iterate)},
                            .is_refitted = true},
                           random, workspaces.local());
-            if (draws[k]) {  // where a node hangs loose, the sample's place is of the posterior
-                draws[k]->form = iterate.form;
-            }
         });
     });
+    const double departure = tension_departure(draws);
+    draws.resize(static_cast<size_t>(count));
     PerturbedDraws result = collected(draws, true);
+    result.departure = departure;
+    result.is_of_chains = true;
+    result.disagreement = found ? found->disagreement : std::numeric_limits<double>::infinity();
+    return result;
+}
+
+/// Root mean square by which tensions in equilibrium differ from those of the samples, in standard
+/// deviations of the draws.
+double Perturbation::tension_departure(const std::vector<std::optional<Draw>>& draws) const {
+    const Eigen::MatrixXd tensions = collected(draws, true).tensions;
+    if (tensions.cols() == 0) {
+        return std::numeric_limits<double>::infinity();
+    }
     double squares = 0.0;
     for (const auto& one : draws) {
         squares += one ? one->squared_tension_departure : 0.0;
     }
-    const Eigen::MatrixXd from_mean = result.tensions.colwise() - result.tensions.rowwise().mean();
-    result.departure = std::sqrt(squares / from_mean.squaredNorm());
-    result.is_of_chains = true;
-    result.disagreement = found ? found->disagreement : std::numeric_limits<double>::infinity();
-    return result;
+    return std::sqrt(squares / (tensions.colwise() - tensions.rowwise().mean()).squaredNorm());
 }
 
 PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) {
@@ -611,10 +622,16 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
 
 }  // namespace
 
-bool PerturbedDraws::is_unreliable() const {
-    const auto asked = static_cast<double>(count() + left_out);
-    return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure) ||
-           !(disagreement < ChainSamples::agreed);
+bool PerturbedDraws::lacks_draws() const {
+    return left_out > std::max(1.0, most_left_out * static_cast<double>(count() + left_out));
+}
+
+bool PerturbedDraws::departs() const {
+    return !(departure <= largest_departure);
+}
+
+bool PerturbedDraws::differs() const {
+    return !(disagreement < ChainSamples::agreed);
 }
 
 bool can_be_fitted(const CableNet& net) {
@@ -623,7 +640,7 @@ bool can_be_fitted(const CableNet& net) {
 }
 
 bool can_be_chained(const CableNet& net) {
-    constexpr int most_edges = 600;
+    constexpr int most_edges = 400;
     return net.interior_edge_count() <= most_edges && !net.has_struts();
 }
 

@@ -30,14 +30,18 @@ struct PerturbedDraws {
     /// coordinates and draws, in standard deviations of the survey; force measurements likewise. Of
     /// chains: that of the tensions, in standard deviations of all draws.
     double departure = 0.0;
-    int left_out = 0;  ///< draws that found no fit or no equilibrium
-    bool is_of_chains = false;
+    int left_out = 0;           ///< draws that found no fit or no equilibrium
+    bool is_of_chains = false;  ///< of Markov chains; is_refitted holds, too
     double disagreement = 1.0;  ///< of the chains, ChainSamples
 
-    /// Whether more than one draw, and more than 2 %, were left out, forms lie farther than 0.3
-    /// standard deviations from those drawn, or chains disagree by more than 1.2: then they are not
-    /// of this posterior.
-    [[nodiscard]] bool is_unreliable() const;
+    /// Whether more than one draw, and more than 2 %, were left out.
+    [[nodiscard]] bool lacks_draws() const;
+    /// Whether the departure is above 0.3.
+    [[nodiscard]] bool departs() const;
+    /// Whether the chains disagree, ChainSamples::agreed.
+    [[nodiscard]] bool differs() const;
+    /// Whether any of these is so: then the draws are not of this posterior.
+    [[nodiscard]] bool is_unreliable() const { return lacks_draws() || departs() || differs(); }
     [[nodiscard]] int count() const { return static_cast<int>(tensions.cols()); }
 };
 
@@ -67,7 +71,8 @@ struct PerturbedDraws {
                                             const PriorKnowledge& knowledge, int draws,
                                             std::uint64_t seed, const Progress& progress = {});
 
-/// Whether chains take less than a few minutes, and the form is the only one: no struts.
+/// Whether chains take some minutes at most, and the form is the only one: up to 400 edges whose
+/// lengths are uncertain, no struts.
 [[nodiscard]] bool can_be_chained(const CableNet& net);
 
 /// Whether draws are fitted by themselves in seconds: some ten factorisations each.

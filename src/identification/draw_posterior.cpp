@@ -75,15 +75,15 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
     std::vector<std::string> reasons;
     if (makes_no_way) {
         reasons.emplace_back("chains of samples make no way");
-    } else {
-        if (drawn.left_out > 0) {
-            reasons.push_back(fmt::format("{} of {} samples found no equilibrium", drawn.left_out,
-                                          drawn.count() + drawn.left_out));
-        }
-        if (drawn.is_of_chains) {
-            reasons.push_back(
-                fmt::format("chains of samples differ, R-hat {:.3g}", drawn.disagreement));
-        }
+    } else if (drawn.differs()) {
+        reasons.push_back(
+            fmt::format("chains of samples differ, R-hat {:.3g}", drawn.disagreement));
+    }
+    if (drawn.lacks_draws() && !makes_no_way) {
+        reasons.push_back(fmt::format("{} of {} samples found no equilibrium", drawn.left_out,
+                                      drawn.count() + drawn.left_out));
+    }
+    if (drawn.departs() && drawn.count() > 0) {
         reasons.push_back(
             fmt::format("the samples miss equilibrium by {:.2g} standard deviations of {}",
                         drawn.departure, drawn.is_of_chains ? "their tensions" : "the survey"));

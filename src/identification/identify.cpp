@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "estimation/hyperprior.hpp"
+#include "estimation/perturbed_draws.hpp"
 #include "identification/assumptions.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
@@ -317,7 +318,7 @@ double distance(double std, const LengthPrior& prior) {
 
 /// A fit with a prior far from the truth rejects sound targets and lengths. So it is repeated with
 /// the prior that it shows, until that stays.
-/// @return without draws; and the last prior
+/// @return with the last prior
 std::pair<Identification, AssumedPrior> identify_at_centre(
     IdentificationMethod method, const CableNet& net, const Survey& survey,
     const AssumedPrior& first, const IdentifyOptions& options, const Progress& progress) {
@@ -345,15 +346,19 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     constexpr double as_good_as = 0.05;
     const Hyperprior around =
         options.prior ? hyperprior_around(*options.prior) : broad_hyperprior();
-    const AssumedPrior first{.prior = around.centre, .around = around, .has_trend = true};
     const PosteriorSettings wanted = wanted_by(options);
+    AssumedPrior first{
+        .prior = around.centre, .around = around, .has_trend = true, .wanted = wanted};
+    if (can_be_chained(net)) {  // a mixture as a rule; else a fit more, which is short
+        first.wanted.count = 0;
+    }
     auto found = identify_at_centre(method, net, survey, first, options, progress);
     Identification& centre = found.first;
     const auto centre_alone = [&] {
-        if (method != IdentificationMethod::map) {
-            return centre;  // they draw nothing
-        }
         AssumedPrior by = found.second;
+        if (method != IdentificationMethod::map || by.wanted.count == wanted.count) {
+            return centre;
+        }
         by.wanted = wanted;
         Identification drawn = identify_and_audit(method, net, survey, by, options, progress);
         drawn.contradicted_prior = centre.contradicted_prior;

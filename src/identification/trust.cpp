@@ -254,6 +254,7 @@ private:
     }
 
     void test_noise() {
+        constexpr double as_computed = 1e-3;  // no instrument errs so much less than is thought
         const FoundScale& noise = m_result.scales.noise;
         const FoundScale& lengths = m_result.scales.lengths;
         if (!noise.is_contradicted()) {
@@ -275,7 +276,11 @@ private:
                                   "given, {}. Chance allows 1 +- {:.2f}.",
                                   found, noise.ratio, rounded_length(given), noise.std),
             .next = m_other_cause.advice()};
-        if (is_noise_likelier()) {
+        if (noise.ratio < as_computed) {
+            finding.next =
+                "It looks computed, not measured. If it was, give no noise: taut then takes it as "
+                "exact.";
+        } else if (is_noise_likelier()) {
             finding.remedy = Trust::Remedy{"noise", m_survey.has_own_noise ? "estimate" : found};
             finding.next = fmt::format(
                 "{}{}",

@@ -666,6 +666,9 @@ TEST(Diagnostics, AdvisesWhatExplainsMost) {
     EXPECT_EQ(advice().next, "Look at the scale of the survey first: it explains more.");
     result.frame_check = {.scale = 1e-7, .scale_std = 1e-9};  // does no harm, and is not named
     EXPECT_TRUE(advice().remedy);
+    result.scales.noise = {.ratio = 2e-6, .std = 0.02};  // a computed form
+    EXPECT_FALSE(advice().remedy);
+    EXPECT_THAT(advice().next, testing::HasSubstr("give no noise"));
 }
 
 TEST(Diagnostics, OfNoiseCanBeLeftToTheSurvey) {

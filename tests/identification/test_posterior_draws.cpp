@@ -140,13 +140,18 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
         const Eigen::VectorXd lower = vector_of(reference.json.at("tension_lower"));
         const Eigen::VectorXd upper = vector_of(reference.json.at("tension_upper"));
         const Eigen::VectorXd slack = vector_of(reference.json.at("slack_probability"));
+        // Beyond what a slack edge spans a uniform prior is taken as normal. Tensions of such an
+        // edge and of its neighbours hardly spread.
+        const bool has_slack = slack.maxCoeff() > 0.1;
+        const double least_spread = has_slack ? tension_std.mean() : 0.0;
         for (Eigen::Index e = 0; e < tension.size(); ++e) {
             const DrawnTension& of_edge = found.drawn.tensions[e];
-            EXPECT_NEAR(of_edge.tension.mean, tension(e), of_mean * tension_std(e)) << e;
-            EXPECT_NEAR(of_edge.tension.std / tension_std(e), 1.0, 0.15) << e;
-            EXPECT_NEAR(of_edge.tension.lower, lower(e), of_end * tension_std(e)) << e;
-            EXPECT_NEAR(of_edge.tension.upper, upper(e), of_end * tension_std(e)) << e;
-            EXPECT_NEAR(of_edge.slack_probability, slack(e), 0.05) << e;
+            const double spread = std::max(tension_std(e), least_spread);
+            EXPECT_NEAR(of_edge.tension.mean, tension(e), of_mean * spread) << e;
+            EXPECT_NEAR(of_edge.tension.std, tension_std(e), 0.15 * spread) << e;
+            EXPECT_NEAR(of_edge.tension.lower, lower(e), of_end * spread) << e;
+            EXPECT_NEAR(of_edge.tension.upper, upper(e), (has_slack ? 0.45 : of_end) * spread) << e;
+            EXPECT_NEAR(of_edge.slack_probability, slack(e), slack(e) > 0.1 ? 0.1 : 0.05) << e;
         }
     }
 }
@@ -207,6 +212,29 @@ TEST(PosteriorDraws, ShowHowLittleIsKnownOfWhatIsSlack) {
     EXPECT_GE(tensions_inside, 0.92 * surveys * net.edge_count());
     EXPECT_GE(means_inside, surveys - 1);
     EXPECT_GE(lengths, 0.92);
+}
+
+TEST(PosteriorDraws, KeepCablesTautThatWereSeenToBe) {
+    const CableNet net = test::stiffened(hypar(6, 6), 10.0);
+    const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
+    const auto s = test::simulate(net, prior, 5e-4, 0);
+    IdentifyOptions options{.prior = prior, .prior_exact = true, .draws = 100};
+    const Identification unmarked = identify(net, s.survey, options);
+    const Eigen::VectorXd truth =
+        tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+    for (const int edge : net.interior_edges()) {
+        const double slack = unmarked.drawn.tensions[static_cast<size_t>(edge)].slack_probability;
+        if (truth(edge) > 0.0 && slack > 0.1 && options.forces.taut.size() < 5) {
+            options.forces.taut.push_back(edge);
+        }
+    }
+    ASSERT_EQ(options.forces.taut.size(), 5U);
+    const Identification marked = identify(net, s.survey, options);
+    ASSERT_EQ(marked.draws.value().reason, "");
+    EXPECT_EQ(marked.draws->how, "Hamiltonian Monte Carlo");
+    for (const int edge : options.forces.taut) {
+        EXPECT_EQ(marked.drawn.tensions[static_cast<size_t>(edge)].slack_probability, 0.0) << edge;
+    }
 }
 
 // Without a prior and with all that taut assumes on a site a few samples have to be fitted by
