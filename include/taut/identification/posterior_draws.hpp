@@ -41,7 +41,7 @@ struct PosteriorDraws {
     Eigen::MatrixXd tensions;          ///< m x draws, of all edges [N]
     std::uint64_t seed = 1;            ///< of the random numbers
     std::string how;                   ///< method of drawing, in words
-    bool is_refitted = false;  ///< each a fit of its own: they then determine the lengths, too
+    bool is_refitted = false;  ///< by fits of their own or chains: they determine the lengths, too
     std::string reason;        ///< why they are not reliable; empty: they are
 
     /// How many draws.
