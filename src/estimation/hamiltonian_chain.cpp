@@ -82,7 +82,7 @@ private:
     [[nodiscard]] Iterate with_common_means(Iterate change) const;
     [[nodiscard]] Iterate drawn_velocity(RandomNumbers& random) const;
     [[nodiscard]] double kinetic_energy(const Iterate& velocity) const;
-    [[nodiscard]] Observations pulled(const Iterate& iterate) const;
+    [[nodiscard]] Observations pulled(const Iterate& at) const;
 
     const StaticsModel& m_model;
     const Observations& m_observations;
