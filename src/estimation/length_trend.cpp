@@ -96,6 +96,24 @@ Posterior posterior_of_trend(const Eigen::VectorXd& score, const Eigen::MatrixXd
         .covariance = spread * (1.0 + values).inverse().matrix().asDiagonal() * spread.transpose()};
 }
 
+/// (considered): the same where the last of b keeps its prior, whatever the survey shows of it.
+Posterior posterior_with_last_unseen(const Eigen::VectorXd& score,
+                                     const Eigen::MatrixXd& information,
+                                     const Eigen::VectorXd& stds) {
+    const Eigen::Index seen = stds.size() - 1;
+    const Posterior others = posterior_of_trend(
+        score.head(seen), information.topLeftCorner(seen, seen), stds.head(seen));
+    Eigen::VectorXd moved(stds.size());
+    moved << -others.covariance * information.col(seen).head(seen), 1.0;
+    moved *= stds(seen);
+    Posterior all{.log_evidence = others.log_evidence,
+                  .mean = Eigen::VectorXd::Zero(stds.size()),
+                  .covariance = moved * moved.transpose()};
+    all.mean.head(seen) = others.mean;
+    all.covariance.topLeftCorner(seen, seen) += others.covariance;
+    return all;
+}
+
 }  // namespace
 
 LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observations,
@@ -108,10 +126,8 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     }
     // Not estimated where it is known better than the linearisation is accurate.
     const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
-    double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
-    if (adjustable_std < adjustable_bias) {
-        adjustable_std = 0.0;
-    }
+    const double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
+    const bool is_unseen = adjustable_std > 0.0 && adjustable_std < adjustable_bias;
     trend.columns =
         columns_of(net, left_out, adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());
     const Eigen::Index count = trend.columns.cols();
@@ -139,7 +155,7 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     if (has_struts) {
         blur(of_struts, nonlinearity * prior.std());
     }
-    if (adjustable_std > 0.0) {
+    if (adjustable_std > 0.0 && !is_unseen) {
         blur(count - 1, adjustable_bias);
     }
 
@@ -159,7 +175,8 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
         if (adjustable_std > 0.0) {
             stds(count - 1) = adjustable_std;
         }
-        posteriors.push_back(posterior_of_trend(score, information, stds));
+        posteriors.push_back(is_unseen ? posterior_with_last_unseen(score, information, stds)
+                                       : posterior_of_trend(score, information, stds));
         log_weights(k) = posteriors.back().log_evidence +
                          std::log(k == 0 ? 1.0 - probability_of_runs
                                          : probability_of_runs / std::ssize(run_widths));
