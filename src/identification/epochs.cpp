@@ -364,9 +364,11 @@ struct Comparison {
 Identification last_of(const EpochChain& chain, const Comparison& of,
                        const PosteriorSettings& wanted, const Progress& progress) {
     const int k = chain.reported();
+    Given given = chain.given(k);
+    given.has_trend = !of.options.prior_exact;
     return identify_by_maximum_a_posteriori(chain.net_at(k),
-                                            of.epochs[static_cast<size_t>(k)].survey,
-                                            chain.given(k), {}, wanted, progress);
+                                            of.epochs[static_cast<size_t>(k)].survey, given, {},
+                                            wanted, progress);
 }
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
@@ -415,20 +417,17 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         forces.by_loads = std::ranges::any_of(epochs, &Epoch::is_loaded);
         std::vector<UncertainParameter> uncertain =
             with_site_assumptions(net, options.uncertain, forces);
-        // How far turns differ from those given the surveys show: the chain estimates it. With a
-        // mass as uncertain as the stiffness it does not converge where the weight makes the
-        // tension.
+        // With a mass as uncertain as the stiffness the chain does not converge where the weight
+        // makes the tension.
         const bool by_mass =
             std::ranges::any_of(options.forces.measurements, &ForceMeasurement::is_by_mass);
         std::erase_if(uncertain, [&](const UncertainParameter& one) {
-            return (one.kind == Kind::adjustable || (one.kind == Kind::mass && !by_mass)) &&
+            return one.kind == Kind::mass && !by_mass &&
                    std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
         on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         Identification result = identify_epochs(net, epochs, on_site, progress);
-        std::vector<UncertainParameter> not_assumed = options.uncertain;
-        not_assumed.push_back({.kind = Kind::adjustable, .group = {}});
-        name_assumed_widths(result, not_assumed);
+        name_assumed_widths(result, options.uncertain);
         result.assumptions = assumptions_of(uncertain, options.uncertain, result);
         return result;
     }
