@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "numerics/dense.hpp"
-#include "survey/median.hpp"
 #include "taut/net/cable_runs.hpp"
 
 namespace taut {
@@ -40,17 +39,6 @@ bool has_common_struts(const CableNet& net) {
     const auto struts =
         std::ranges::count_if(net.interior_edges(), [&](int edge) { return net.is_strut(edge); });
     return struts > 1 && struts < net.interior_edge_count();
-}
-
-/// Their median, 0 for none: one that changed between surveys is no measure of the others.
-double typical_std(const Eigen::VectorXd& adjustable_stds) {
-    std::vector<Eigen::Index> uncertain;
-    for (Eigen::Index i = 0; i < adjustable_stds.size(); ++i) {
-        if (adjustable_stds(i) > 0.0) {
-            uncertain.push_back(i);
-        }
-    }
-    return uncertain.empty() ? 0.0 : median_of(adjustable_stds(uncertain));
 }
 
 /// Columns of G: the mean [m], the scale of each run [-], and last, if any, what all struts [m] and
@@ -138,7 +126,7 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     }
     // Not estimated where it is known better than the linearisation is accurate.
     const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
-    const double adjustable_std = adjustable_width * typical_std(adjustable_stds);
+    const double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
     const bool is_unseen = adjustable_std > 0.0 && adjustable_std < adjustable_bias;
     trend.columns =
         columns_of(net, left_out, adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());

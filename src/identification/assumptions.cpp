@@ -3,6 +3,7 @@
 #include "identification/assumptions.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace taut {
 namespace {
@@ -41,9 +42,18 @@ std::vector<UncertainParameter> with_uncertain_widths(
     return uncertain;
 }
 
-void name_assumed_widths(Identification& result, const std::vector<UncertainParameter>& given) {
+void name_assumed_widths(Identification& result, const std::vector<UncertainParameter>& uncertain,
+                         const std::vector<UncertainParameter>& given) {
+    constexpr double alike = 1e-2;
     for (ParameterEstimate& estimate : result.uncertain) {
-        estimate.parameter.std /= is_given(estimate.parameter, given) ? 1.0 : wider;
+        UncertainParameter& parameter = estimate.parameter;
+        const auto assumed = std::ranges::find_if(uncertain, [&](const UncertainParameter& one) {
+            return one.kind == parameter.kind && one.group == parameter.group &&
+                   std::abs(parameter.std - wider * one.std) < alike * parameter.std;
+        });
+        if (assumed != uncertain.end() && !is_given(parameter, given)) {
+            parameter.std = assumed->std;
+        }
     }
 }
 

@@ -21,7 +21,10 @@ namespace taut {
 [[nodiscard]] std::vector<UncertainParameter> with_uncertain_widths(
     std::vector<UncertainParameter> uncertain, const std::vector<UncertainParameter>& given);
 
-/// Reports estimates of a fit with_uncertain_widths() under the widths assumed.
-void name_assumed_widths(Identification& result, const std::vector<UncertainParameter>& given);
+/// Reports estimates of a fit with_uncertain_widths() under the widths assumed, but those set free.
+/// @param uncertain with the widths assumed
+/// @param given those that taut did not assume
+void name_assumed_widths(Identification& result, const std::vector<UncertainParameter>& uncertain,
+                         const std::vector<UncertainParameter>& given);
 
 }  // namespace taut

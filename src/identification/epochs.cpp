@@ -51,12 +51,13 @@ IdentifyOptions with_own_widths(const CableNet& net, IdentifyOptions options, do
     return options;
 }
 
-/// In the estimates of the sum: the widths that were given for it.
+/// In the estimates of the sum: the widths of with_own_widths() as they were given.
 void name_given_widths(Identification& result, const std::vector<UncertainParameter>& given) {
     for (ParameterEstimate& estimate : result.uncertain) {
         UncertainParameter& parameter = estimate.parameter;
         for (const UncertainParameter& one : given) {
-            if (one.kind == parameter.kind && one.group == parameter.group) {
+            if (is_of_each_survey(one) && one.kind == parameter.kind &&
+                one.group == parameter.group) {
                 parameter.std = one.std;
             }
         }
@@ -302,9 +303,13 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
                                     const IdentifyOptions& alone, std::vector<double>& scales,
                                     const Progress& progress) {
     IdentifyOptions of_form = alone;
-    if (std_of(alone.uncertain, Kind::adjustable) == 0.0 && !net.adjustable_edges().empty()) {
+    if (!net.adjustable_edges().empty()) {
+        std::erase_if(of_form.uncertain,
+                      [](const auto& one) { return one.kind == Kind::adjustable; });
         of_form.uncertain.push_back(
-            {.kind = Kind::adjustable, .std = widest_turn(net), .group = {}});
+            {.kind = Kind::adjustable,
+             .std = std::max(std_of(alone.uncertain, Kind::adjustable), widest_turn(net)),
+             .group = {}});
     }
     std::vector<Epoch> result(epochs.begin(), epochs.end());
     for (size_t k = 0; k < epochs.size(); ++k) {
@@ -366,9 +371,9 @@ Identification last_of(const EpochChain& chain, const Comparison& of,
     const int k = chain.reported();
     Given given = chain.given(k);
     given.has_trend = !of.options.prior_exact;
-    return identify_by_maximum_a_posteriori(chain.net_at(k),
-                                            of.epochs[static_cast<size_t>(k)].survey, given, {},
-                                            wanted, progress);
+    given.unturned_std = std_of(of.options.uncertain, Kind::adjustable);
+    return identify_by_maximum_a_posteriori(
+        chain.net_at(k), of.epochs[static_cast<size_t>(k)].survey, given, {}, wanted, progress);
 }
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
@@ -427,7 +432,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         });
         on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         Identification result = identify_epochs(net, epochs, on_site, progress);
-        name_assumed_widths(result, options.uncertain);
+        name_assumed_widths(result, uncertain, options.uncertain);
         result.assumptions = assumptions_of(uncertain, options.uncertain, result);
         return result;
     }
@@ -536,7 +541,9 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                        "survey converged with its adjustable lengths uncertain.",
              .next = "Look at each survey by itself."});
     }
+    const CommonDeviation common = result.prior.common;  // of all surveys
     result.prior = first.prior;
+    result.prior.common = common;
     if (!is_mixture) {
         result.prior.nodes = {{.prior = prior}};
     }

@@ -515,7 +515,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         }
         Identification result = identify(net, survey, on_site, progress);
         result.method_reason = reason;
-        name_assumed_widths(result, options.uncertain);
+        name_assumed_widths(result, uncertain, options.uncertain);
         result.assumptions = assumptions_of(uncertain, options.uncertain, result);
         result.trust = trust_of(net, survey, result);
         return result;

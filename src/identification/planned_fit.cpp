@@ -52,7 +52,10 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
     m_observations =
         observe(*m_fit_net, seen, with_noise_floor(net, seen), none_rejected, *m_knowledge, common);
     m_observations.mean.setZero();
-    m_adjustable_stds = adjustable_stds(net, uncertain)(m_fit_net->interior_edges());
+    m_adjustable_stds = Eigen::VectorXd::Zero(net.edge_count());
+    m_adjustable_stds(net.adjustable_edges())
+        .setConstant(std_of(uncertain, UncertainParameter::Kind::adjustable));
+    m_adjustable_stds = m_adjustable_stds(m_fit_net->interior_edges()).eval();
     m_fit = linearised_fit(model, std::move(design), m_observations);
     m_tensions = m_fit->model().tensions(m_fit->iterate);
 }
