@@ -51,13 +51,12 @@ IdentifyOptions with_own_widths(const CableNet& net, IdentifyOptions options, do
     return options;
 }
 
-/// In the estimates of the sum: the widths of with_own_widths() as they were given.
+/// In the estimates of the sum: the widths that were given for it.
 void name_given_widths(Identification& result, const std::vector<UncertainParameter>& given) {
     for (ParameterEstimate& estimate : result.uncertain) {
         UncertainParameter& parameter = estimate.parameter;
         for (const UncertainParameter& one : given) {
-            if (is_of_each_survey(one) && one.kind == parameter.kind &&
-                one.group == parameter.group) {
+            if (one.kind == parameter.kind && one.group == parameter.group) {
                 parameter.std = one.std;
             }
         }
@@ -303,13 +302,9 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
                                     const IdentifyOptions& alone, std::vector<double>& scales,
                                     const Progress& progress) {
     IdentifyOptions of_form = alone;
-    if (!net.adjustable_edges().empty()) {
-        std::erase_if(of_form.uncertain,
-                      [](const auto& one) { return one.kind == Kind::adjustable; });
+    if (std_of(alone.uncertain, Kind::adjustable) == 0.0 && !net.adjustable_edges().empty()) {
         of_form.uncertain.push_back(
-            {.kind = Kind::adjustable,
-             .std = std::max(std_of(alone.uncertain, Kind::adjustable), widest_turn(net)),
-             .group = {}});
+            {.kind = Kind::adjustable, .std = widest_turn(net), .group = {}});
     }
     std::vector<Epoch> result(epochs.begin(), epochs.end());
     for (size_t k = 0; k < epochs.size(); ++k) {
@@ -369,11 +364,9 @@ struct Comparison {
 Identification last_of(const EpochChain& chain, const Comparison& of,
                        const PosteriorSettings& wanted, const Progress& progress) {
     const int k = chain.reported();
-    Given given = chain.given(k);
-    given.has_trend = !of.options.prior_exact;
-    given.unturned_std = std_of(of.options.uncertain, Kind::adjustable);
-    return identify_by_maximum_a_posteriori(
-        chain.net_at(k), of.epochs[static_cast<size_t>(k)].survey, given, {}, wanted, progress);
+    return identify_by_maximum_a_posteriori(chain.net_at(k),
+                                            of.epochs[static_cast<size_t>(k)].survey,
+                                            chain.given(k), {}, wanted, progress);
 }
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
@@ -422,17 +415,20 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         forces.by_loads = std::ranges::any_of(epochs, &Epoch::is_loaded);
         std::vector<UncertainParameter> uncertain =
             with_site_assumptions(net, options.uncertain, forces);
-        // With a mass as uncertain as the stiffness the chain does not converge where the weight
-        // makes the tension.
+        // How far turns differ from those given the surveys show: the chain estimates it. With a
+        // mass as uncertain as the stiffness it does not converge where the weight makes the
+        // tension.
         const bool by_mass =
             std::ranges::any_of(options.forces.measurements, &ForceMeasurement::is_by_mass);
         std::erase_if(uncertain, [&](const UncertainParameter& one) {
-            return one.kind == Kind::mass && !by_mass &&
+            return (one.kind == Kind::adjustable || (one.kind == Kind::mass && !by_mass)) &&
                    std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
         on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         Identification result = identify_epochs(net, epochs, on_site, progress);
-        name_assumed_widths(result, uncertain, options.uncertain);
+        std::vector<UncertainParameter> not_assumed = options.uncertain;
+        not_assumed.push_back({.kind = Kind::adjustable, .group = {}});
+        name_assumed_widths(result, uncertain, not_assumed);
         result.assumptions = assumptions_of(uncertain, options.uncertain, result);
         return result;
     }
@@ -541,9 +537,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                        "survey converged with its adjustable lengths uncertain.",
              .next = "Look at each survey by itself."});
     }
-    const CommonDeviation common = result.prior.common;  // of all surveys
     result.prior = first.prior;
-    result.prior.common = common;
     if (!is_mixture) {
         result.prior.nodes = {{.prior = prior}};
     }

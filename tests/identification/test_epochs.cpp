@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -234,34 +233,7 @@ TEST(Epochs, DoNotAverageSupportsThatAreOff) {
         EXPECT_EQ(result.uncertain.front().parameter, options.uncertain.front());
         inside += test::coverage(result, job.deviations) / jobs;
     }
-    EXPECT_LT(inside_if_known, 0.88);
-    EXPECT_GT(inside, 0.9);
-}
-
-/// All are twice as far off as taut assumes of each, which surveys hardly show.
-TEST(Epochs, DoNotTakeTurnbucklesAsExact) {
-    CableNetData data = net().data();
-    for (const int edge : net().adjustable_edges()) {
-        data.unstressed_lengths(edge) += 1e-3;
-    }
-    const CableNet built(std::move(data));
-    IdentifyOptions options = with_prior();
-    options.draws = 100;
-    options.assume_site = true;
-    constexpr std::array<std::uint64_t, 3> seeds{1, 2, 3};
-    double inside = 0.0;
-    for (const std::uint64_t seed : seeds) {
-        const test::SimulatedSurvey first = test::simulate(built, prior, noise, seed);
-        const double mean =
-            tensions(built, with_length_deviations(built, first.deviations), first.truth.form)
-                .mean();
-        const Identification found =
-            identify_epochs(net(), job_of(seed, {}, {}, {}, built).epochs, options);
-        const DrawnEstimate& drawn = found.drawn.mean_tension;
-        ASSERT_GT(drawn.std, 0.0);
-        EXPECT_LT(std::abs(drawn.mean - mean), 2.5 * drawn.std);
-        inside += test::coverage(found, first.deviations) / std::ssize(seeds);
-    }
+    EXPECT_LT(inside_if_known, 0.8);
     EXPECT_GT(inside, 0.9);
 }
 
@@ -719,7 +691,7 @@ TEST(Epochs, FindTheCreepOfRopes) {
         without.uncertain.clear();
         EXPECT_GT(test::coverage(identify_epochs(grouped, job.epochs, without), job.deviations),
                   0.85);
-        EXPECT_NE(identify_epochs(grouped, job_of(seed, {}, {}, 6.0 * crept).epochs, without)
+        EXPECT_NE(identify_epochs(grouped, job_of(seed, {}, {}, 4.0 * crept).epochs, without)
                       .trust.verdict(),
                   Trust::Verdict::passed);
     }
