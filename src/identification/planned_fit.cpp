@@ -41,8 +41,8 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
         require_whole(net, survey, "all, or their noise (standard deviations)");
     }
     m_fit_net = net_to_fit(net, uncertain);
-    m_knowledge =
-        knowledge_of(*m_fit_net, prior, uncertain, forces, adjustable_stds(net, uncertain));
+    const Eigen::VectorXd stds = adjustable_stds(net, uncertain);
+    m_knowledge = knowledge_of(*m_fit_net, prior, uncertain, forces, stds);
     StaticsModel model = designed_model(*m_fit_net, form, *m_knowledge, prior.std());
     const int common = model.common.count();
     Iterate design = nominal_iterate(*m_fit_net, common);
@@ -52,10 +52,10 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
     m_observations =
         observe(*m_fit_net, seen, with_noise_floor(net, seen), none_rejected, *m_knowledge, common);
     m_observations.mean.setZero();
-    m_adjustable_stds = Eigen::VectorXd::Zero(net.edge_count());
-    m_adjustable_stds(net.adjustable_edges())
-        .setConstant(std_of(uncertain, UncertainParameter::Kind::adjustable));
-    m_adjustable_stds = m_adjustable_stds(m_fit_net->interior_edges()).eval();
+    m_adjustable_stds = stds(m_fit_net->interior_edges());
+    if (std_of(uncertain, UncertainParameter::Kind::adjustable) == 0.0) {
+        m_adjustable_stds.setZero();  // as good as known
+    }
     m_fit = linearised_fit(model, std::move(design), m_observations);
     m_tensions = m_fit->model().tensions(m_fit->iterate);
 }
