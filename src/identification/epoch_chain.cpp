@@ -207,6 +207,8 @@ Given EpochChain::given(int k) const {
             parameter.std *= std::max(hardly_any, std::sqrt(static_cast<double>(k)));
         }
     }
+    result.has_trend = !m_options.prior_exact;
+    result.unturned_std = std_of(m_options.uncertain, UncertainParameter::Kind::adjustable);
     result.test_loads = *state.loads;
     if (k == m_reported) {
         result.forces = m_options.forces;
@@ -335,6 +337,10 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
     }
     changes.agreement = test.agreement();
     set_stroke_factor(changes, test, *m_states[k].turned);
+    changes.common_strain = common_strain(test, changes.lengths);
+    if (changes.common_strain) {
+        return;
+    }
     std::vector<Eigen::Index> places;
     for (const int edge : m_has_actuator_std ? turned_edges(k) : std::vector<int>()) {
         if (std::ranges::find(changes.lengths, edge, &LengthChange::edge) ==
@@ -361,6 +367,34 @@ bool EpochChain::explains_changes(const Changes& all_at_once,
     --rest.rank;
     return all_at_once.are_strokes_off() && of_turns >= 2 &&
            3 * of_turns >= 2 * std::ssize(turned) && rest.ratio() <= rest.limit();
+}
+
+/// (creep) that was not given: the most significant strain of all edges, or of a group.
+std::optional<EpochChain::Changes::CommonStrain> EpochChain::common_strain(
+    const EvidenceTest& test, const std::vector<LengthChange>& let_go) const {
+    std::vector<std::pair<std::string, std::vector<int>>> groups{{"", m_edges}};
+    for (const auto& [name, edges] : m_net.data().groups) {
+        groups.emplace_back(name, std::vector<int>());
+        std::ranges::copy_if(edges, std::back_inserter(groups.back().second),
+                             [&](int edge) { return std::ranges::binary_search(m_edges, edge); });
+    }
+    std::optional<Changes::CommonStrain> found;
+    double least = snooping_threshold(default_false_alarm_rate, groups.size(), 1);
+    for (const auto& [name, edges] : groups) {
+        Eigen::VectorXd lengths = Eigen::VectorXd::Zero(size());
+        for (const int edge : edges) {
+            lengths(place_of(edge)) = m_net.unstressed_lengths()(edge);
+        }
+        for (const LengthChange& change : let_go) {
+            lengths(place_of(change.edge)) = 0.0;
+        }
+        const auto [strain, std] = test.change_along(lengths);
+        if (std::pow(strain / std, 2) > least) {
+            least = std::pow(strain / std, 2);
+            found = {.group = name, .strain = strain, .std = std};
+        }
+    }
+    return found;
 }
 
 /// Reports the factor by which all strokes are off, as with a wrong pitch.

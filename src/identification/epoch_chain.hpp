@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "estimation/epoch_evidence.hpp"
@@ -41,6 +42,13 @@ public:
         /// EpochResult::stroke_factor
         double stroke_factor = 1.0;
         double stroke_factor_std = 0.0;
+        /// A strain in common of all edges, or those of a group, that chance does not explain.
+        struct CommonStrain {
+            std::string group;  ///< empty: of all
+            double strain = 0.0;
+            double std = 0.0;
+        };
+        std::optional<CommonStrain> common_strain;
         /// Whether that factor explains all: then no length is let go.
         bool is_of_all_turns = false;
 
@@ -123,6 +131,8 @@ private:
     [[nodiscard]] bool explains_changes(const Changes& all_at_once,
                                         const std::vector<LengthChange>& let_go,
                                         const std::vector<EdgeTurned>& turned) const;
+    [[nodiscard]] std::optional<Changes::CommonStrain> common_strain(
+        const EvidenceTest& test, const std::vector<LengthChange>& let_go) const;
     void set_stroke_factor(Changes& changes, const EvidenceTest& test,
                            const std::vector<EdgeTurned>& turned) const;
     [[nodiscard]] std::optional<LengthChange> worst_change(const EvidenceTest::Changes& changes,

@@ -20,6 +20,7 @@
 #include "identification/epoch_chain.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/prior_mixture.hpp"
+#include "net/rounded_length.hpp"
 
 namespace taut {
 namespace {
@@ -51,12 +52,13 @@ IdentifyOptions with_own_widths(const CableNet& net, IdentifyOptions options, do
     return options;
 }
 
-/// In the estimates of the sum: the widths that were given for it.
+/// In estimates of a chain: widths of with_own_widths() and of creep, as they were given.
 void name_given_widths(Identification& result, const std::vector<UncertainParameter>& given) {
     for (ParameterEstimate& estimate : result.uncertain) {
         UncertainParameter& parameter = estimate.parameter;
         for (const UncertainParameter& one : given) {
-            if (one.kind == parameter.kind && one.group == parameter.group) {
+            if ((is_of_each_survey(one) || one.kind == Kind::creep) && one.kind == parameter.kind &&
+                one.group == parameter.group) {
                 parameter.std = one.std;
             }
         }
@@ -216,8 +218,31 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
     return finding;
 }
 
+/// (creep) that was not given.
+Trust::Finding creep_finding(const EpochChain::Changes::CommonStrain& strain,
+                             const std::string& between) {
+    constexpr double part_of_most = 0.9;
+    const double std = to_digits(std::min(std::abs(strain.strain), part_of_most * most_creep), 2);
+    UncertainParameter creep{.kind = Kind::creep, .std = std, .group = strain.group};
+    return {
+        .kind = FindingKind::uncertain_parameter,
+        .severity = Verdict::doubtful,
+        .ids = {std::string(creep.name()) + (creep.group.empty() ? "" : "@" + creep.group)},
+        .value = strain.strain,
+        .std = strain.std,
+        .remedy = Trust::Remedy{"uncertain", creep.to_string()},
+        .reason = fmt::format(
+            "{} {} became longer by {:+.2f} +- {:.2f} % in common.", between,
+            strain.group.empty() ? "all edges" : fmt::format("the edges of group {}", strain.group),
+            1e2 * strain.strain, 1e2 * strain.std),
+        .next =
+            "Check the temperature of both surveys, and that they have one scale. If the "
+            "cables creep or bed in, state it."};
+}
+
 /// Reports how lengths changed before a survey, besides the turns given.
-void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, size_t k) {
+void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
+                 const EpochChain::Changes& changes, size_t k) {
     const std::string between = fmt::format("Between surveys {} and {}", k, k + 1);
     const bool is_significant = epoch.change_ratio > epoch.change_limit;
     const Trust::Finding contradiction{.kind = FindingKind::epoch,
@@ -230,6 +255,9 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
     if (is_significant && epoch.change_ratio > far_too_much && !are_strokes_off) {
         trust.findings.push_back(contradiction);
         trust.findings.back().severity = Verdict::failed;
+        if (changes.common_strain) {
+            trust.findings.push_back(creep_finding(*changes.common_strain, between));
+        }
         return;
     }
     if (are_strokes_off) {
@@ -244,7 +272,9 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
     for (const LengthChange& change : epoch.changes) {
         trust.findings.push_back(change_finding(net, epoch, change, between));
     }
-    if (epoch.excess_actuator_std > 0.0) {
+    if (changes.common_strain && !are_strokes_off) {
+        trust.findings.push_back(creep_finding(*changes.common_strain, between));
+    } else if (epoch.excess_actuator_std > 0.0) {
         trust.findings.push_back(
             {.kind = FindingKind::actuator_std,
              .severity = Verdict::doubtful,
@@ -281,7 +311,8 @@ void add_repeats(Trust& trust, const EpochChain& chain) {
     }
 }
 
-Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epochs) {
+Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epochs,
+                      const std::vector<EpochChain::Changes>& changes) {
     Trust trust;
     for (size_t k = 0; k < epochs.size(); ++k) {
         for (const Trust::Finding& finding : epochs[k].trust.findings) {
@@ -291,7 +322,7 @@ Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epoch
     }
     add_start(trust, net, epochs.front());
     for (size_t k = 1; k < epochs.size(); ++k) {
-        add_changes(trust, net, epochs[k], k);
+        add_changes(trust, net, epochs[k], changes[k], k);
     }
     return trust;
 }
@@ -302,9 +333,13 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
                                     const IdentifyOptions& alone, std::vector<double>& scales,
                                     const Progress& progress) {
     IdentifyOptions of_form = alone;
-    if (std_of(alone.uncertain, Kind::adjustable) == 0.0 && !net.adjustable_edges().empty()) {
+    if (!net.adjustable_edges().empty()) {
+        std::erase_if(of_form.uncertain,
+                      [](const auto& one) { return one.kind == Kind::adjustable; });
         of_form.uncertain.push_back(
-            {.kind = Kind::adjustable, .std = widest_turn(net), .group = {}});
+            {.kind = Kind::adjustable,
+             .std = std::max(std_of(alone.uncertain, Kind::adjustable), widest_turn(net)),
+             .group = {}});
     }
     std::vector<Epoch> result(epochs.begin(), epochs.end());
     for (size_t k = 0; k < epochs.size(); ++k) {
@@ -319,15 +354,20 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
     return result;
 }
 
+/// Gives the widths in a result the names under which they were given or assumed.
+using NameWidths = std::function<void(Identification&)>;
+
 /// The results of the single surveys.
 /// @param first the first survey alone, which gives the prior
 std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identification& first,
                                        const std::vector<EpochChain::Changes>& changes,
                                        const std::vector<Epoch>& epochs,
-                                       const std::vector<double>& noise_scales) {
+                                       const std::vector<double>& noise_scales,
+                                       const NameWidths& name_widths) {
     std::vector<EpochResult> results;
     for (int k = 0; k < chain.count(); ++k) {
         Identification found = chain.found(k);
+        name_widths(found);
         if (k == 0) {
             found.contradicted_prior = first.contradicted_prior;
             found.prior_was_given = first.prior_was_given;
@@ -387,51 +427,9 @@ std::optional<Identification> over_priors(const Comparison& of, const std::vecto
         });
 }
 
-}  // namespace
-
-size_t reported_epoch(std::span<const Epoch> epochs) {
-    size_t k = epochs.size();
-    while (k > 0 && epochs[k - 1].is_loaded()) {
-        --k;
-        if (!epochs[k].turned.empty()) {
-            throw std::invalid_argument(fmt::format(
-                "survey {} was made after turns and under loads hung on the net, and none since "
-                "without them: expected one, which the result is of",
-                k + 1));
-        }
-    }
-    if (k == 0) {
-        throw std::invalid_argument("every survey was made under loads hung on the net");
-    }
-    return k - 1;
-}
-
-Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
-                               const IdentifyOptions& options, const Progress& progress) {
-    if (options.assume_site) {
-        IdentifyOptions on_site = options;
-        on_site.assume_site = false;
-        KnownForces forces = measured_by(options.forces);
-        forces.by_loads = std::ranges::any_of(epochs, &Epoch::is_loaded);
-        std::vector<UncertainParameter> uncertain =
-            with_site_assumptions(net, options.uncertain, forces);
-        // How far turns differ from those given the surveys show: the chain estimates it. With a
-        // mass as uncertain as the stiffness it does not converge where the weight makes the
-        // tension.
-        const bool by_mass =
-            std::ranges::any_of(options.forces.measurements, &ForceMeasurement::is_by_mass);
-        std::erase_if(uncertain, [&](const UncertainParameter& one) {
-            return (one.kind == Kind::adjustable || (one.kind == Kind::mass && !by_mass)) &&
-                   std::ranges::find(options.uncertain, one) == options.uncertain.end();
-        });
-        on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
-        Identification result = identify_epochs(net, epochs, on_site, progress);
-        std::vector<UncertainParameter> not_assumed = options.uncertain;
-        not_assumed.push_back({.kind = Kind::adjustable, .group = {}});
-        name_assumed_widths(result, uncertain, not_assumed);
-        result.assumptions = assumptions_of(uncertain, options.uncertain, result);
-        return result;
-    }
+Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
+                            const IdentifyOptions& options, const NameWidths& name_widths,
+                            const Progress& progress) {
     check_epochs(net, epochs, options);
     IdentifyOptions alone = options;
     alone.method = IdentificationMethod::map;
@@ -502,7 +500,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
             result = mixture ? *std::move(mixture)
                              : last_of(chain, of, {.count = options.draws, .seed = options.seed},
                                        progress);
-            name_given_widths(result, options.uncertain);
+            name_widths(result);
             add_repeats(together, chain);
         } else {
             result = chain.found(chain.reported());
@@ -523,11 +521,11 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                                        *movement),
                  .next = "Identify from the last survey alone, and compare."});
         }
-        result.epochs = epoch_results(chain, first, changed, scaled, noise_scales);
+        result.epochs = epoch_results(chain, first, changed, scaled, noise_scales, name_widths);
         result.epochs[reported].trust =
             trust_of(chain.net_at(chain.reported()), scaled[reported].survey, result);
     } else {
-        result.epochs = epoch_results(each, first, changed, scaled, noise_scales);
+        result.epochs = epoch_results(each, first, changed, scaled, noise_scales, name_widths);
     }
     if (!is_compared) {
         together.findings.push_back(
@@ -537,7 +535,9 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                        "survey converged with its adjustable lengths uncertain.",
              .next = "Look at each survey by itself."});
     }
+    const CommonDeviation common = result.prior.common;  // of all surveys
     result.prior = first.prior;
+    result.prior.common = common;
     if (!is_mixture) {
         result.prior.nodes = {{.prior = prior}};
     }
@@ -551,9 +551,62 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         "maximum a posteriori under the statics, by {} surveys, lengths {}{}", epochs.size(),
         prior.to_string(), first.contradicted_prior ? ", a prior that the first survey shows" : "");
     result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);
-    result.trust = trust_of_epochs(net, result.epochs);
+    result.trust = trust_of_epochs(net, result.epochs, changed);
     std::ranges::move(together.findings, std::back_inserter(result.trust.findings));
     std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::severity);
+    return result;
+}
+
+}  // namespace
+
+size_t reported_epoch(std::span<const Epoch> epochs) {
+    size_t k = epochs.size();
+    while (k > 0 && epochs[k - 1].is_loaded()) {
+        --k;
+        if (!epochs[k].turned.empty()) {
+            throw std::invalid_argument(fmt::format(
+                "survey {} was made after turns and under loads hung on the net, and none since "
+                "without them: expected one, which the result is of",
+                k + 1));
+        }
+    }
+    if (k == 0) {
+        throw std::invalid_argument("every survey was made under loads hung on the net");
+    }
+    return k - 1;
+}
+
+Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
+                               const IdentifyOptions& options, const Progress& progress) {
+    if (!options.assume_site) {
+        return identify_all(
+            net, epochs, options,
+            [&](Identification& result) { name_given_widths(result, options.uncertain); },
+            progress);
+    }
+    IdentifyOptions on_site = options;
+    on_site.assume_site = false;
+    KnownForces forces = measured_by(options.forces);
+    forces.by_loads = std::ranges::any_of(epochs, &Epoch::is_loaded);
+    std::vector<UncertainParameter> uncertain =
+        with_site_assumptions(net, options.uncertain, forces);
+    // With a mass as uncertain as the stiffness the chain does not converge where the weight
+    // makes the tension.
+    const bool by_mass =
+        std::ranges::any_of(options.forces.measurements, &ForceMeasurement::is_by_mass);
+    std::erase_if(uncertain, [&](const UncertainParameter& one) {
+        return one.kind == Kind::mass && !by_mass &&
+               std::ranges::find(options.uncertain, one) == options.uncertain.end();
+    });
+    on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
+    Identification result = identify_all(
+        net, epochs, on_site,
+        [&](Identification& found) {
+            name_given_widths(found, on_site.uncertain);
+            name_assumed_widths(found, uncertain, options.uncertain);
+        },
+        progress);
+    result.assumptions = assumptions_of(uncertain, options.uncertain, result);
     return result;
 }
 

@@ -118,7 +118,7 @@ struct Diagnostics {
     FrameCheck frame;
     std::optional<PriorEstimate> estimate;
     std::vector<bool> left_out;       ///< interior edges (m_I) that do not follow the prior
-    Eigen::VectorXd adjustable_stds;  ///< prior std of uncertain adjustable edges, else 0 (m_I)
+    Eigen::VectorXd adjustable_stds;  ///< prior std of adjustable edges as built, else 0 (m_I)
 };
 
 /// (common-mean): score and information of a shift of the prior.
@@ -156,8 +156,8 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
         const int edge = fit_net.interior_edges()[i];
         const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
         if (is_adjustable && !left_out[i] && !slack[edge]) {
-            shown.adjustable_stds(i) =
-                std_of(given.uncertain, UncertainParameter::Kind::adjustable);
+            shown.adjustable_stds(i) = given.unturned_std.value_or(
+                std_of(given.uncertain, UncertainParameter::Kind::adjustable));
         }
         left_out[i] = left_out[i] || slack[edge] || fit.knowledge().priors[i] != prior;
     }

@@ -33,6 +33,9 @@ struct Given {
     std::optional<Hyperprior> hyperprior;
     /// Whether lengths may have a mean and scales in common, (length-trend).
     bool has_trend = false;
+    /// Prior standard deviation of adjustable edges before any was turned, for (length-trend);
+    /// empty: by `uncertain` [m].
+    std::optional<double> unturned_std;
     Points test_loads = Points(3, 0);  ///< of the survey, among the loads of the net [N]
     /// Of other surveys of the same net to fit; null: none.
     std::shared_ptr<const LengthEvidence> evidence;

@@ -89,6 +89,7 @@ Method method_by_maximum_a_posteriori(const CableNet& net, const LengthPrior& pr
 Method method_by_epochs(const CableNet& net, const LengthPrior& prior) {
     IdentifyOptions options;
     options.prior = prior;
+    options.prior_exact = true;
     options.draws = 0;
     return {.name = "map", .identify = [&net, options](const Trial& trial) {
                 return identify_epochs(net, trial.epochs, options);

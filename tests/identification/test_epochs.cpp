@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -233,7 +234,34 @@ TEST(Epochs, DoNotAverageSupportsThatAreOff) {
         EXPECT_EQ(result.uncertain.front().parameter, options.uncertain.front());
         inside += test::coverage(result, job.deviations) / jobs;
     }
-    EXPECT_LT(inside_if_known, 0.8);
+    EXPECT_LT(inside_if_known, 0.88);
+    EXPECT_GT(inside, 0.9);
+}
+
+/// All are twice as far off as taut assumes of each, which surveys hardly show.
+TEST(Epochs, DoNotTakeTurnbucklesAsExact) {
+    CableNetData data = net().data();
+    for (const int edge : net().adjustable_edges()) {
+        data.unstressed_lengths(edge) += 1e-3;
+    }
+    const CableNet built(std::move(data));
+    IdentifyOptions options = with_prior();
+    options.draws = 100;
+    options.assume_site = true;
+    constexpr std::array<std::uint64_t, 3> seeds{1, 2, 3};
+    double inside = 0.0;
+    for (const std::uint64_t seed : seeds) {
+        const test::SimulatedSurvey first = test::simulate(built, prior, noise, seed);
+        const double mean =
+            tensions(built, with_length_deviations(built, first.deviations), first.truth.form)
+                .mean();
+        const Identification found =
+            identify_epochs(net(), job_of(seed, {}, {}, {}, built).epochs, options);
+        const DrawnEstimate& drawn = found.drawn.mean_tension;
+        ASSERT_GT(drawn.std, 0.0);
+        EXPECT_LT(std::abs(drawn.mean - mean), 2.5 * drawn.std);
+        inside += test::coverage(found, first.deviations) / std::ssize(seeds);
+    }
     EXPECT_GT(inside, 0.9);
 }
 
@@ -686,14 +714,17 @@ TEST(Epochs, FindTheCreepOfRopes) {
         EXPECT_NEAR(creep->mean, strain, 3.0 * creep->std);
         // Lengths are those of the first survey: the strain is beside them.
         EXPECT_GT(test::coverage(found, job.deviations), 0.85);
-        // Not assumed, it is a small error of the lengths, and named where it is a large one.
+        // Not assumed, it is a small error of the lengths, and named where it is twice as large.
         IdentifyOptions without = options;
         without.uncertain.clear();
         EXPECT_GT(test::coverage(identify_epochs(grouped, job.epochs, without), job.deviations),
                   0.85);
-        EXPECT_NE(identify_epochs(grouped, job_of(seed, {}, {}, 4.0 * crept).epochs, without)
-                      .trust.verdict(),
-                  Trust::Verdict::passed);
+        const Trust larger =
+            identify_epochs(grouped, job_of(seed, {}, {}, 2.0 * crept).epochs, without).trust;
+        ASSERT_EQ(larger.findings.size(), 1U);
+        EXPECT_EQ(larger.findings[0].ids, std::vector<std::string>{"creep@rope"});
+        EXPECT_NEAR(larger.findings[0].value.value(), 2.0 * strain, 3.0 * 1.5e-3);
+        EXPECT_EQ(parse_uncertain_parameter(larger.findings[0].remedy->value).group, "rope");
     }
     EXPECT_LE(far, 1);
     EXPECT_THAT([&] { (void)identify(grouped, job_of(1, {}, {}).epochs[0].survey, options); },

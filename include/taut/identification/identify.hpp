@@ -53,9 +53,8 @@ struct IdentifyOptions {
     /// drawn with them. A model has its own.
     std::vector<UncertainParameter> uncertain = {};
     /// Whether taut assumes what is usual on a site for all others, with_site_assumptions(): for
-    /// map, of a survey that is not exact. Else these are as in the net. For several surveys the
-    /// lengths of adjustable edges are not assumed uncertain: how far turns differ from those given
-    /// the surveys show.
+    /// map, of a survey that is not exact. Else these are as in the net. For several surveys
+    /// masses are not assumed uncertain unless a force measurement is by mass.
     bool assume_site = false;
     /// For gp; not copied: it must live until identify() has ended. Null: one is trained now, on
     /// `training_samples` samples of the prior, and discarded.
