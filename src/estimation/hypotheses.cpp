@@ -107,6 +107,14 @@ Hypothesis* Hypotheses::find(Suspect kind, int index) {
     return found != same.end() && found->index == index ? &*found : nullptr;
 }
 
+Hypothesis* Hypotheses::find_edge(int edge) {
+    const std::vector<int>& interior = m_net->interior_edges();
+    const auto found = std::ranges::lower_bound(interior, edge);
+    return found != interior.end() && *found == edge
+               ? find(Suspect::length, static_cast<int>(found - interior.begin()))
+               : find(Suspect::adjustable_edge, edge);
+}
+
 bool Hypotheses::is_active(Family family) const {
     return (family != Family::lengths || m_given_up == 0) &&
            std::ranges::any_of(m_all, [&](const Hypothesis& hypothesis) {

@@ -82,11 +82,11 @@ Observations perturbed(const CableNet& net, const Observations& observations,
 Observations with_drawn_mean(const Observations& observations, RandomNumbers& random) {
     Observations result = observations;
     if (result.mean_root.size() > 0) {
-        Eigen::VectorXd error(result.mean_root.cols());
+        Eigen::VectorXd error(result.shown_root.cols());
         for (double& of_one : error) {
             of_one = random.normal();
         }
-        result.mean += result.mean_root * error;
+        result.mean += result.mean_root * (result.shown_mean + result.shown_root * error);
         result.mean_root.resize(0, 0);
     }
     return result;

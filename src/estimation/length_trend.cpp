@@ -162,6 +162,7 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     // A mixture over the scales of the runs, equally probable.
     std::vector<Posterior> posteriors;
     std::vector<double> widths;
+    std::vector<Eigen::VectorXd> prior_stds;
     Eigen::VectorXd log_weights(runs > 0 ? 1 + std::ssize(run_widths) : 1);
     const double mean_length = net.unstressed_lengths()(net.interior_edges()).mean();
     for (Eigen::Index k = 0; k < log_weights.size(); ++k) {
@@ -175,6 +176,7 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
         if (adjustable_std > 0.0) {
             stds(count - 1) = adjustable_std;
         }
+        prior_stds.push_back(stds);
         posteriors.push_back(is_unseen ? posterior_with_last_unseen(score, information, stds)
                                        : posterior_of_trend(score, information, stds));
         log_weights(k) = posteriors.back().log_evidence +
@@ -186,15 +188,18 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     const double sum = weights_of.sum();
     trend.mean = Eigen::VectorXd::Zero(count);
     Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(count, count);
+    Eigen::VectorXd prior_variances = Eigen::VectorXd::Zero(count);
     for (size_t k = 0; k < posteriors.size(); ++k) {
         const double weight = weights_of(static_cast<Eigen::Index>(k)) / sum;
         const Posterior& one = posteriors[k];
         trend.mean += weight * one.mean;
+        prior_variances += weight * prior_stds[k].cwiseAbs2();
         squares += weight * (one.covariance + one.mean * one.mean.transpose());
         trend.found.run_std += weight * widths[k];
         trend.found.run_probability += k > 0 ? weight : 0.0;
     }
     trend.found.run_probability = std::min(1.0, trend.found.run_probability);  // but for rounding
+    trend.prior_stds = prior_variances.cwiseSqrt();
     const SymmetricEigen eigen = symmetric_eigen(squares - trend.mean * trend.mean.transpose());
     trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
     // Of the sum with what nobody knows a part is the edge's own.

@@ -19,6 +19,7 @@ namespace taut {
 /// (length-trend).
 struct LengthTrend {
     Eigen::MatrixXd columns;       ///< G, m_I x r: of one standard deviation of the prior each [m]
+    Eigen::VectorXd prior_stds;    ///< of b before the survey, root mean square of the mixture (r)
     Eigen::VectorXd mean;          ///< of b (r)
     Eigen::MatrixXd root;          ///< R, r x r: R R' is the covariance of b
     Eigen::MatrixXd length_gains;  ///< d of the estimated lengths by b, m_I x r [m]

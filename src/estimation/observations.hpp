@@ -33,9 +33,13 @@ struct Observations {
     Points support_mean;
     Points support_weights;  ///< 3 x n, 1 / variance of that where uncertain, else 0 [1/m2]
     Eigen::VectorXd mean;    ///< m_I, prior mean of the length deviations [m]
-    /// Root of the covariance of what these means have in common (m_I x r), (length-trend); empty:
-    /// nothing. Used by draws only: a fit is made at the mean [m].
+    /// Root of the prior covariance of what these means have in common (m_I x r), (length-trend);
+    /// empty: nothing. Used by draws only: a fit is made at the mean [m].
     Eigen::MatrixXd mean_root;
+    /// What a fit shows of that to first order: mean (r) and root of the covariance (r x r) of the
+    /// numbers that mean_root multiplies.
+    Eigen::VectorXd shown_mean;
+    Eigen::MatrixXd shown_root;
     /// Added to the precision of all lengths, as a part of it: damps the steps of a search.
     double length_damping = 0.0;
     Eigen::VectorXd variance;  ///< m_I, prior variance, positive [m2]

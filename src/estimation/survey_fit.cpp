@@ -176,6 +176,10 @@ LinearisedFit SurveyFit::run() {
                 last.boundary = BoundaryTest::at_once;
             }
         }
+        best = with_taut_edges(std::move(best));  // (shorter)
+        if (best.hypotheses.released_count(Family::boundary) > 0) {
+            last.boundary = BoundaryTest::at_once;
+        }
         if (best.hypotheses.is_active(Family::lengths) && !suspect_nodes(best.hypotheses).empty()) {
             best = with_clamps(std::move(best));  // (slip)
         }
@@ -316,6 +320,72 @@ SurveyFit::Explanation SurveyFit::with_boundary(Explanation found) {
         found = explain(std::move(found.hypotheses), nominal(), {});
     }
     return found;
+}
+
+/// Slack edges that the form leaves more length than their priors have, the most first.
+std::vector<int> SurveyFit::improbably_slack(const Explanation& found) const {
+    constexpr size_t most = 8;
+    constexpr double improbable = 2.0;  // standard deviations of the prior
+    std::vector<std::pair<double, int>> edges;
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (!found.slack[e]) {
+            continue;
+        }
+        const Iterate& at = found.fitted.iterate;
+        const auto [s, t] = m_net.edges()[e];
+        const double unused =
+            m_model.unstressed_length(e, at) - (at.form.col(s) - at.form.col(t)).norm();
+        const auto interior = std::ranges::lower_bound(m_net.interior_edges(), e);
+        const bool is_interior = interior != m_net.interior_edges().end() && *interior == e;
+        const double std =
+            is_interior ? m_priors[interior - m_net.interior_edges().begin()].std() : 0.0;
+        if (unused > improbable * std) {
+            edges.emplace_back(unused, e);
+        }
+    }
+    std::ranges::sort(edges, std::greater());
+    edges.resize(std::min(most, edges.size()));
+    std::vector<int> result;
+    std::ranges::transform(edges, std::back_inserter(result), &std::pair<double, int>::second);
+    return result;
+}
+
+/// (shorter): an edge that is much too short pulls its run, and seems slack at the length that is
+/// expected of it. So slack edges are released one by one, taut and instead of what was found, or
+/// beside those found so before. Takes the fit of the lowest cost.
+SurveyFit::Explanation SurveyFit::with_taut_edges(Explanation found) {
+    constexpr int most = 3;
+    const Mode mode{.boundary = found.hypotheses.is_active(Family::boundary) ? BoundaryTest::at_once
+                                                                             : BoundaryTest::none};
+    std::vector<int> slack = improbably_slack(found);
+    if (slack.empty()) {
+        return found;
+    }
+    Explanation best = std::move(found);
+    for (int count = 0; count < most; ++count) {
+        const Explanation before = best;
+        for (const int edge : slack) {
+            Explanation other = before;
+            if (count == 0) {
+                other.hypotheses.readmit_all();
+            }
+            Hypothesis* released = other.hypotheses.find_edge(edge);
+            if (released == nullptr || released->is_released()) {
+                continue;
+            }
+            released->state = Hypothesis::State::released;
+            other.slack[edge] = false;
+            other = explain(std::move(other.hypotheses), before.fitted.iterate, mode, other.slack);
+            if (other.cost < best.cost) {
+                best = std::move(other);
+            }
+        }
+        if (!(best.cost < before.cost)) {
+            break;
+        }
+        slack = improbably_slack(best);
+    }
+    return fit(std::move(best.hypotheses), best.fitted.iterate, std::move(best.slack), {});
 }
 
 /// A fit with a pair released and the target at its node in use, or the other way round.

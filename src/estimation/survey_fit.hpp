@@ -114,6 +114,8 @@ private:
     [[nodiscard]] Explanation with_pair(Explanation other, int pair, bool is_target);
     [[nodiscard]] std::optional<Explanation> instead_of(const Explanation& best, int pair);
     [[nodiscard]] Explanation with_clamps(Explanation found);
+    [[nodiscard]] std::vector<int> improbably_slack(const Explanation& found) const;
+    [[nodiscard]] Explanation with_taut_edges(Explanation found);
     [[nodiscard]] Iterate with_released(Iterate iterate) const;
     [[nodiscard]] double widest_corner() const;
     [[nodiscard]] double first_inflation() const;

@@ -274,9 +274,11 @@ std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes
                         .statistic = statistic};
 }
 
-/// With adjustable lengths uncertain, so that a wrong turn rejects no target.
+/// With adjustable lengths uncertain, so that a wrong turn rejects no target, and without measured
+/// forces, so that a wrong one is no change of lengths.
 Given EpochChain::given_for_form_alone(int k) const {
     Given result = given(k);
+    result.forces.measurements.clear();
     for (const int edge : m_net.adjustable_edges()) {
         result.own_stds(edge) = std::max(result.own_stds(edge), m_widest_turn);
     }

@@ -419,8 +419,9 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     leave_out_released(result);
     if (!trend.empty()) {
         take_up_trend(result, trend, fit_net);
-        observations.mean += trend.columns * trend.mean;
-        observations.mean_root = trend.columns * trend.root;
+        observations.mean_root = trend.columns * trend.prior_stds.asDiagonal();
+        observations.shown_mean = trend.mean.cwiseQuotient(trend.prior_stds);
+        observations.shown_root = trend.prior_stds.cwiseInverse().asDiagonal() * trend.root;
     }
     if (!fit_net.is_linear()) {
         StaticsModel fixed = fitted.model();

@@ -736,6 +736,21 @@ TEST(Epochs, FindTheCreepOfRopes) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("more than 1 % in 3 surveys")));
 }
 
+TEST(Epochs, BlameAForceAndNoChangeOfLengths) {
+    const Job job = job_of(3, {}, {}, {});
+    IdentifyOptions options = with_prior();
+    options.assume_site = true;
+    const int edge = net().interior_edges()[60];
+    const Identification without = identify_epochs(net(), job.epochs, options);
+    const double tension = without.tensions(edge);
+    options.forces.measurements = {{.edge = edge, .tension = 3.0 * tension, .std = 0.02 * tension}};
+    const Identification found = identify_epochs(net(), job.epochs, options);
+    ASSERT_EQ(found.force_outliers.size(), 1U);
+    ASSERT_EQ(found.trust.findings.size(), 1U) << found.trust.findings[0].reason;
+    EXPECT_EQ(found.trust.findings[0].kind, Trust::Finding::Kind::force_measurement);
+    EXPECT_EQ(found.epochs[1].change_ratio, without.epochs[1].change_ratio);
+}
+
 /// A third survey has had twice the time: a walk of which each step is as wide.
 TEST(Epochs, LetCreepGoOn) {
     constexpr double strain = 3e-3;

@@ -41,7 +41,7 @@ def test_every_field_of_cpp_is_shown(net, form, survey, found):
     assert (found.outliers, found.force_measurements, found.epochs, found.turned) == ([], 0, [], [])
     moved = np.array(survey.form)
     moved[net.free_nodes[7], 2] += 0.03
-    edge = int(net.interior_edges[5])
+    edge = int(net.interior_edges[10])
     second = taut.read_survey(net, taut.simulate_survey(net, form, noise=0.5e-3, seed=4))
     both = taut.identify(
         net,
