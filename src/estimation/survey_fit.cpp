@@ -375,7 +375,10 @@ SurveyFit::Explanation SurveyFit::with_taut_edges(Explanation found) {
             }
             released->state = Hypothesis::State::released;
             other.slack[edge] = false;
-            other = explain(std::move(other.hypotheses), before.fitted.iterate, mode, other.slack);
+            const Explanation from_nominal = explain(other.hypotheses, nominal(), mode);
+            other = from_nominal.is_sound() ? from_nominal
+                                            : explain(std::move(other.hypotheses),
+                                                      before.fitted.iterate, mode, other.slack);
             if (other.cost < best.cost) {
                 best = std::move(other);
             }
