@@ -38,7 +38,8 @@ class Job:
         self.given = {}
         if (folder / "turns.csv").exists():
             ids = net.data.get("edge_ids") or [str(e) for e in range(len(net.edges))]
-            for row in csv.DictReader((folder / "turns.csv").open()):
+            lines = (folder / "turns.csv").read_text().splitlines()
+            for row in csv.DictReader(line for line in lines if not line.startswith("#")):
                 edge = ids.index(row["edge"])
                 self.given[edge] = self.given.get(edge, 0.0) + 1e-3 * float(row["stroke_mm"])
 

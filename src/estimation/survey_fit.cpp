@@ -168,7 +168,8 @@ LinearisedFit SurveyFit::run() {
     Explanation best = explain(m_hypotheses, nominal(), last);  // (map), (snooping)
     if (!best.is_sound()) {
         best = by_rounded_tension_laws(std::move(best.hypotheses));  // (rounded-law)
-    } else {
+    }
+    if (best.is_sound() && m_model.corner_width == 0.0) {
         if (best.hypotheses.is_active(Family::boundary)) {
             test(best, {.boundary = BoundaryTest::at_once});
             if (best.hypotheses.may_be_boundary()) {
@@ -176,7 +177,7 @@ LinearisedFit SurveyFit::run() {
                 last.boundary = BoundaryTest::at_once;
             }
         }
-        best = with_taut_edges(std::move(best));  // (shorter)
+        best = with_taut_edges(std::move(best));  // (boundary)
         if (best.hypotheses.released_count(Family::boundary) > 0) {
             last.boundary = BoundaryTest::at_once;
         }
@@ -350,43 +351,47 @@ std::vector<int> SurveyFit::improbably_slack(const Explanation& found) const {
     return result;
 }
 
-/// (shorter): an edge that is much too short pulls its run, and seems slack at the length that is
-/// expected of it. So slack edges are released one by one, taut and instead of what was found, or
-/// beside those found so before. Takes the fit of the lowest cost.
+/// A fit with an edge released and taut, beside what is released already.
+std::optional<SurveyFit::Explanation> SurveyFit::with_taut_edge(Explanation other, int edge,
+                                                                const Mode& mode) {
+    Hypothesis* released = other.hypotheses.find_edge(edge);
+    if (released == nullptr || released->is_released()) {
+        return std::nullopt;
+    }
+    released->state = Hypothesis::State::released;
+    Explanation from_nominal = explain(other.hypotheses, nominal(), mode);
+    if (from_nominal.is_sound()) {
+        return from_nominal;
+    }
+    other.slack[edge] = false;
+    return explain(std::move(other.hypotheses), other.fitted.iterate, mode, other.slack);
+}
+
+/// (boundary): an edge that is much too short pulls its run, and seems slack at the length that is
+/// expected of it. So edges that are slack where nothing is released are tried one by one, taut and
+/// instead of what was found; then others beside that. Takes the fit of the lowest cost.
 SurveyFit::Explanation SurveyFit::with_taut_edges(Explanation found) {
     constexpr int most = 3;
     const Mode mode{.boundary = found.hypotheses.is_active(Family::boundary) ? BoundaryTest::at_once
                                                                              : BoundaryTest::none};
-    std::vector<int> slack = improbably_slack(found);
-    if (slack.empty()) {
-        return found;
+    Explanation from = found;
+    from.hypotheses.readmit_all();
+    if (found.hypotheses.cost() > 0.0) {
+        from = fit(std::move(from.hypotheses), nominal(), measured_slack(1.0), {});
     }
     Explanation best = std::move(found);
-    for (int count = 0; count < most; ++count) {
-        const Explanation before = best;
-        for (const int edge : slack) {
-            Explanation other = before;
-            if (count == 0) {
-                other.hypotheses.readmit_all();
-            }
-            Hypothesis* released = other.hypotheses.find_edge(edge);
-            if (released == nullptr || released->is_released()) {
-                continue;
-            }
-            released->state = Hypothesis::State::released;
-            other.slack[edge] = false;
-            const Explanation from_nominal = explain(other.hypotheses, nominal(), mode);
-            other = from_nominal.is_sound() ? from_nominal
-                                            : explain(std::move(other.hypotheses),
-                                                      before.fitted.iterate, mode, other.slack);
-            if (other.cost < best.cost) {
-                best = std::move(other);
+    for (int count = 0; count < most && from.is_sound(); ++count) {
+        const double before = best.cost;
+        for (const int edge : improbably_slack(from)) {
+            std::optional<Explanation> other = with_taut_edge(from, edge, mode);
+            if (other && other->cost < best.cost) {
+                best = *std::move(other);
             }
         }
-        if (!(best.cost < before.cost)) {
+        if (!(best.cost < before)) {
             break;
         }
-        slack = improbably_slack(best);
+        from = best;
     }
     return fit(std::move(best.hypotheses), best.fitted.iterate, std::move(best.slack), {});
 }

@@ -115,6 +115,8 @@ private:
     [[nodiscard]] std::optional<Explanation> instead_of(const Explanation& best, int pair);
     [[nodiscard]] Explanation with_clamps(Explanation found);
     [[nodiscard]] std::vector<int> improbably_slack(const Explanation& found) const;
+    [[nodiscard]] std::optional<Explanation> with_taut_edge(Explanation other, int edge,
+                                                            const Mode& mode);
     [[nodiscard]] Explanation with_taut_edges(Explanation found);
     [[nodiscard]] Iterate with_released(Iterate iterate) const;
     [[nodiscard]] double widest_corner() const;

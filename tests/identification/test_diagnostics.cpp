@@ -553,6 +553,26 @@ TEST(Diagnostics, OfATurnbuckleOrASupportNamesIt) {
     }
 }
 
+/// It seems slack at the length that is expected of it, where it has no test.
+TEST(Diagnostics, OfAMuchTooShortCableNamesItAlone) {
+    const LengthPrior narrow{LengthPrior::Kind::uniform, 2e-3};
+    const CableNet saddle = hypar(9, 9);
+    for (const int edge : {3, 7, 28}) {
+        CableNetData data = saddle.data();
+        data.unstressed_lengths(edge) -= 0.015;
+        const SimulatedSurvey s = survey_of(CableNet(data), narrow, 2);
+        for (const bool is_uncertain : {true, false}) {
+            const Identification result = identify(
+                saddle, s.survey, {.prior = narrow, .assume_site = is_uncertain, .draws = 0});
+            ASSERT_EQ(result.boundary_outliers.size(), 1U) << edge;
+            EXPECT_EQ(result.boundary_outliers[0].index, edge);
+            EXPECT_NEAR(result.boundary_outliers[0].deviation.x(), -0.015, 3e-3);
+            EXPECT_TRUE(result.length_outliers.empty());
+            EXPECT_TRUE(result.outliers.empty());
+        }
+    }
+}
+
 TEST(Diagnostics, OfTheScaleOrTheFrameNamesIt) {
     const SimulatedSurvey s = survey_of(net(), prior, 21);
     const Identification right = identified(s.survey, prior);
