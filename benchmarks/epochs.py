@@ -241,11 +241,11 @@ def false_premise(name, alter, net, folder, jobs):
             continue
         inside.append(share)
         silent += result["trust"]["verdict"] == "passed" and share < 0.85
-        named = {c["edge"] for epoch in result["epochs"] for c in epoch["changes"]}
-        named |= {b["edge"] for epoch in result["epochs"] for b in epoch["boundary"] if "edge" in b}
-        named += len(named & suspects)
+        accused = {c["edge"] for epoch in result["epochs"] for c in epoch["changes"]}
+        accused |= {b["edge"] for epoch in result["epochs"] for b in epoch["boundary"] if "edge" in b}
+        named += len(accused & suspects)
         expected += len(suspects)
-        false_alarms += len(named - suspects) if suspects or name == "nothing" else 0
+        false_alarms += len(accused - suspects) if suspects or name == "nothing" else 0
         false_alarms += sum(len(epoch["outliers"]) for epoch in result["epochs"])
     verdicts = ", ".join(f"{verdict} {count}" for verdict, count in said.most_common())
     share = f"{100 * np.mean(inside):.1f}" if inside else "-"

@@ -387,5 +387,8 @@ def test_what_identify_finds_is_planned_on_shown_and_exported(name, tmp_path):
         words.append("--accept-failed")
     # 1: an edge that may be slack breaks the limit of every plan, which is written all the same.
     done = run(tmp_path, *words)
-    assert done.returncode == (1 if name == "slack" else 0), done.stderr
+    edges = [*result["edges"], *result["adjustable_edges"]]
+    may_be_slack = any((one["slack_probability"] or 0) > 0.05 for one in edges)
+    assert done.returncode in ((0, 1) if may_be_slack else (0,)), done.stderr
+    assert name != "slack" or done.returncode == 1
     must_run(tmp_path, "report", "plan.json", "-o", "plan.html")
