@@ -107,12 +107,19 @@ Hypothesis* Hypotheses::find(Suspect kind, int index) {
     return found != same.end() && found->index == index ? &*found : nullptr;
 }
 
-Hypothesis* Hypotheses::find_edge(int edge) {
+bool Hypotheses::release_edge(int edge) {
     const std::vector<int>& interior = m_net->interior_edges();
     const auto found = std::ranges::lower_bound(interior, edge);
-    return found != interior.end() && *found == edge
-               ? find(Suspect::length, static_cast<int>(found - interior.begin()))
-               : find(Suspect::adjustable_edge, edge);
+    const bool is_interior = found != interior.end() && *found == edge;
+    Hypothesis* const length =
+        is_interior ? find(Suspect::length, static_cast<int>(found - interior.begin()))
+                    : find(Suspect::adjustable_edge, edge);
+    if (length == nullptr || length->is_released() || !std::isfinite(length->threshold) ||
+        !is_active(family_of(*length)) || (is_interior && released_lengths()[length->index])) {
+        return false;
+    }
+    length->state = State::released;
+    return true;
 }
 
 bool Hypotheses::is_active(Family family) const {

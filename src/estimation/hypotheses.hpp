@@ -100,8 +100,9 @@ public:
     [[nodiscard]] std::span<Hypothesis> of(Suspect kind);
     /// @return null where there is none of a kind with this index
     [[nodiscard]] Hypothesis* find(Suspect kind, int index);
-    /// The one of the length of an edge (m), interior or adjustable.
-    [[nodiscard]] Hypothesis* find_edge(int edge);
+    /// Releases the length of an edge (m), interior or adjustable, whatever its test.
+    /// @return false where it is released already, or has no test
+    [[nodiscard]] bool release_edge(int edge);
     /// Whether there is a test at all: an exact survey has no noise to measure residuals by.
     [[nodiscard]] bool is_active(Family family) const;
     [[nodiscard]] double threshold(Suspect kind) const;  ///< infinite where there is no test

@@ -120,6 +120,8 @@ Observations with_leading_means(const Observations& observations) {
             stds.cwiseInverse().asDiagonal() * observations.mean_root, Eigen::ComputeThinU);
         result.mean_root = stds.asDiagonal() * svd.matrixU().leftCols(most) *
                            svd.singularValues().head(most).asDiagonal();
+        result.shown_mean.resize(0);
+        result.shown_root.resize(0, 0);
     }
     return result;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "numerics/dense.hpp"
 #include "taut/net/cable_runs.hpp"
@@ -199,7 +200,8 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
         trend.found.run_probability += k > 0 ? weight : 0.0;
     }
     trend.found.run_probability = std::min(1.0, trend.found.run_probability);  // but for rounding
-    trend.prior_stds = prior_variances.cwiseSqrt();
+    // Not zero where no run has a scale, as a quotient of it.
+    trend.prior_stds = prior_variances.cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
     const SymmetricEigen eigen = symmetric_eigen(squares - trend.mean * trend.mean.transpose());
     trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
     // Of the sum with what nobody knows a part is the edge's own.

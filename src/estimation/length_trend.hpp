@@ -18,10 +18,11 @@ namespace taut {
 /// what all struts and all adjustable edges are longer. To first order, docs/theory.md
 /// (length-trend).
 struct LengthTrend {
-    Eigen::MatrixXd columns;       ///< G, m_I x r: of one standard deviation of the prior each [m]
-    Eigen::VectorXd prior_stds;    ///< of b before the survey, root mean square of the mixture (r)
-    Eigen::VectorXd mean;          ///< of b (r)
-    Eigen::MatrixXd root;          ///< R, r x r: R R' is the covariance of b
+    Eigen::MatrixXd columns;     ///< G, m_I x r: of one standard deviation of the prior each [m]
+    Eigen::VectorXd prior_stds;  ///< of b before the survey, root mean square of the mixture's, as
+                                 ///< the survey weights it (r)
+    Eigen::VectorXd mean;        ///< of b (r)
+    Eigen::MatrixXd root;        ///< R, r x r: R R' is the covariance of b
     Eigen::MatrixXd length_gains;  ///< d of the estimated lengths by b, m_I x r [m]
     Eigen::MatrixXd common_gains;  ///< the same of the common parameters, in their std
     double adjustable_std = 0.0;   ///< prior std of what adjustable edges have in common [m]

@@ -102,6 +102,15 @@ std::vector<int> suspect_nodes(const Hypotheses& hypotheses) {
     return result;
 }
 
+/// Whether anything is released, or above its threshold.
+bool has_suspects(const Hypotheses& hypotheses) {
+    using Family = Hypotheses::Family;
+    const auto families = {Family::targets, Family::forces, Family::lengths, Family::boundary};
+    return std::ranges::any_of(families, [&](Family family) {
+        return hypotheses.released_count(family) + hypotheses.suspicious_count(family) > 0;
+    });
+}
+
 /// Pairs of one run at a node that (slip) tries: those with no edge released in another pair.
 /// @return places among the pairs
 std::vector<int> pairs_at(int node, const Hypotheses& hypotheses) {
@@ -177,7 +186,9 @@ LinearisedFit SurveyFit::run() {
                 last.boundary = BoundaryTest::at_once;
             }
         }
-        best = with_taut_edges(std::move(best));  // (boundary)
+        if (best.is_sound() && has_suspects(best.hypotheses)) {
+            best = with_taut_edges(std::move(best));  // (boundary)
+        }
         if (best.hypotheses.released_count(Family::boundary) > 0) {
             last.boundary = BoundaryTest::at_once;
         }
@@ -304,6 +315,7 @@ void SurveyFit::test(Explanation& found, const Mode& mode) const {
 /// after another. Gross errors elsewhere show at the boundary, too, and several boundary outliers
 /// show at many targets: hence both orders are tried. Takes the fit of the lowest cost.
 SurveyFit::Explanation SurveyFit::with_boundary(Explanation found) {
+    const Explanation before = found;
     const Iterate start = found.fitted.iterate;
     const std::vector<bool> slack = found.slack;
     Hypotheses hypotheses = found.hypotheses;
@@ -316,20 +328,17 @@ SurveyFit::Explanation SurveyFit::with_boundary(Explanation found) {
         }
     }
     found = fit(std::move(found.hypotheses), found.fitted.iterate, std::move(found.slack), {});
-    if (!found.is_sound()) {  // as before
-        found.hypotheses.readmit_all();
-        found = explain(std::move(found.hypotheses), nominal(), {});
-    }
-    return found;
+    return found.is_sound() ? found : fit(before.hypotheses, start, slack, {});
 }
 
 /// Slack edges that the form leaves more length than their priors have, the most first.
 std::vector<int> SurveyFit::improbably_slack(const Explanation& found) const {
     constexpr size_t most = 8;
     constexpr double improbable = 2.0;  // standard deviations of the prior
+    const std::vector<int>& marked = m_knowledge.forces.slack;
     std::vector<std::pair<double, int>> edges;
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        if (!found.slack[e]) {
+        if (!found.slack[e] || std::ranges::find(marked, e) != marked.end()) {
             continue;
         }
         const Iterate& at = found.fitted.iterate;
@@ -354,13 +363,11 @@ std::vector<int> SurveyFit::improbably_slack(const Explanation& found) const {
 /// A fit with an edge released and taut, beside what is released already.
 std::optional<SurveyFit::Explanation> SurveyFit::with_taut_edge(Explanation other, int edge,
                                                                 const Mode& mode) {
-    Hypothesis* released = other.hypotheses.find_edge(edge);
-    if (released == nullptr || released->is_released()) {
+    if (!other.hypotheses.release_edge(edge)) {
         return std::nullopt;
     }
-    released->state = Hypothesis::State::released;
     Explanation from_nominal = explain(other.hypotheses, nominal(), mode);
-    if (from_nominal.is_sound()) {
+    if (from_nominal.is_sound() && !from_nominal.slack[edge]) {
         return from_nominal;
     }
     other.slack[edge] = false;
@@ -374,14 +381,14 @@ SurveyFit::Explanation SurveyFit::with_taut_edges(Explanation found) {
     constexpr int most = 3;
     const Mode mode{.boundary = found.hypotheses.is_active(Family::boundary) ? BoundaryTest::at_once
                                                                              : BoundaryTest::none};
+    const LawBlur blur = m_model.blur;
     Explanation from = found;
     from.hypotheses.readmit_all();
-    if (found.hypotheses.cost() > 0.0) {
-        from = fit(std::move(from.hypotheses), nominal(), measured_slack(1.0), {});
-    }
-    Explanation best = std::move(found);
+    from = fit(std::move(from.hypotheses), nominal(), measured_slack(1.0), {});
+    Explanation best = found;
     for (int count = 0; count < most && from.is_sound(); ++count) {
         const double before = best.cost;
+        assume(from.hypotheses);
         for (const int edge : improbably_slack(from)) {
             std::optional<Explanation> other = with_taut_edge(from, edge, mode);
             if (other && other->cost < best.cost) {
@@ -393,7 +400,12 @@ SurveyFit::Explanation SurveyFit::with_taut_edges(Explanation found) {
         }
         from = best;
     }
-    return fit(std::move(best.hypotheses), best.fitted.iterate, std::move(best.slack), {});
+    best = fit(std::move(best.hypotheses), best.fitted.iterate, std::move(best.slack), {});
+    if (!best.is_sound()) {  // as before
+        m_model.blur = blur;
+        best = fit(std::move(found.hypotheses), found.fitted.iterate, std::move(found.slack), {});
+    }
+    return best;
 }
 
 /// A fit with a pair released and the target at its node in use, or the other way round.

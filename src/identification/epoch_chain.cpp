@@ -37,6 +37,13 @@ double largest_actuator_std(std::span<const Epoch> epochs) {
     return actuator_std;
 }
 
+/// Whether chance explains all but a change along one direction of this statistic.
+bool is_chance_but_for(Agreement all, double statistic) {
+    all.squares = std::max(0.0, all.squares - statistic * statistic);
+    --all.rank;
+    return all.ratio() <= all.limit();
+}
+
 }  // namespace
 
 bool are_too_many_changes(const CableNet& net, size_t changes) {
@@ -319,9 +326,12 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
     Changes& changes = m_changes[k];
     std::optional<LengthChange> worst = worst_change(test.changes(), edges);
     Changes all_at_once;
+    if (k > 0) {
+        all_at_once.agreement = test.agreement();
+        all_at_once.common_strain = common_strain(test, {});
+    }
     if (k > 0 && m_states[k].turned->size() > 1) {
         set_stroke_factor(all_at_once, test, *m_states[k].turned);
-        all_at_once.agreement = test.agreement();
     }
     while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
         changes.lengths.push_back(*worst);
@@ -334,12 +344,20 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
     }
     if (explains_changes(all_at_once, changes.lengths, *m_states[k].turned)) {
         changes = all_at_once;
+        changes.common_strain.reset();
         changes.is_of_all_turns = true;
+        return;
+    }
+    if (all_at_once.common_strain && !all_at_once.are_strokes_off() &&
+        is_chance_but_for(all_at_once.agreement, all_at_once.common_strain->statistic())) {
+        changes = all_at_once;
         return;
     }
     changes.agreement = test.agreement();
     set_stroke_factor(changes, test, *m_states[k].turned);
-    changes.common_strain = common_strain(test, changes.lengths);
+    if (!changes.are_strokes_off()) {
+        changes.common_strain = common_strain(test, changes.lengths);
+    }
     if (changes.common_strain) {
         return;
     }
@@ -364,21 +382,20 @@ bool EpochChain::explains_changes(const Changes& all_at_once,
     const auto of_turns = std::ranges::count_if(let_go, [&](const LengthChange& change) {
         return std::ranges::find(turned, change.edge, &EdgeTurned::edge) != turned.end();
     });
-    Agreement rest = all_at_once.agreement;
-    rest.squares = std::max(0.0, rest.squares - std::pow(all_at_once.stroke_factor_statistic(), 2));
-    --rest.rank;
     return all_at_once.are_strokes_off() && of_turns >= 2 &&
-           3 * of_turns >= 2 * std::ssize(turned) && rest.ratio() <= rest.limit();
+           3 * of_turns >= 2 * std::ssize(turned) &&
+           is_chance_but_for(all_at_once.agreement, all_at_once.stroke_factor_statistic());
 }
 
-/// (creep) that was not given: the most significant strain of all edges, or of a group.
+/// (creep) that was not given: the most significant strain of all interior edges, or of a group.
 std::optional<EpochChain::Changes::CommonStrain> EpochChain::common_strain(
     const EvidenceTest& test, const std::vector<LengthChange>& let_go) const {
-    std::vector<std::pair<std::string, std::vector<int>>> groups{{"", m_edges}};
+    const std::vector<int>& interior = m_net.interior_edges();
+    std::vector<std::pair<std::string, std::vector<int>>> groups{{"", interior}};
     for (const auto& [name, edges] : m_net.data().groups) {
         groups.emplace_back(name, std::vector<int>());
         std::ranges::copy_if(edges, std::back_inserter(groups.back().second),
-                             [&](int edge) { return std::ranges::binary_search(m_edges, edge); });
+                             [&](int edge) { return std::ranges::binary_search(interior, edge); });
     }
     std::optional<Changes::CommonStrain> found;
     double least = snooping_threshold(default_false_alarm_rate, groups.size(), 1);

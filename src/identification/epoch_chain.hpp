@@ -42,15 +42,18 @@ public:
         /// EpochResult::stroke_factor
         double stroke_factor = 1.0;
         double stroke_factor_std = 0.0;
-        /// A strain in common of all edges, or those of a group, that chance does not explain.
+        /// Whether that factor explains all: then no length is let go.
+        bool is_of_all_turns = false;
+        /// A strain in common of all interior edges, or those of a group, that chance does not
+        /// explain.
         struct CommonStrain {
             std::string group;  ///< empty: of all
             double strain = 0.0;
             double std = 0.0;
+
+            [[nodiscard]] double statistic() const { return std::abs(strain) / std; }
         };
         std::optional<CommonStrain> common_strain;
-        /// Whether that factor explains all: then no length is let go.
-        bool is_of_all_turns = false;
 
         /// By how many of its standard deviations the factor is not 1.
         [[nodiscard]] double stroke_factor_statistic() const {

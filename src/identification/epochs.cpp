@@ -219,30 +219,30 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
 }
 
 /// (creep) that was not given.
-Trust::Finding creep_finding(const EpochChain::Changes::CommonStrain& strain,
+/// @param widest that may be given for so many surveys
+Trust::Finding creep_finding(const EpochChain::Changes::CommonStrain& strain, double widest,
                              const std::string& between) {
-    constexpr double part_of_most = 0.9;
-    const double std = to_digits(std::min(std::abs(strain.strain), part_of_most * most_creep), 2);
-    UncertainParameter creep{.kind = Kind::creep, .std = std, .group = strain.group};
-    return {
-        .kind = FindingKind::uncertain_parameter,
-        .severity = Verdict::doubtful,
-        .ids = {std::string(creep.name()) + (creep.group.empty() ? "" : "@" + creep.group)},
-        .value = strain.strain,
-        .std = strain.std,
-        .remedy = Trust::Remedy{"uncertain", creep.to_string()},
-        .reason = fmt::format(
-            "{} {} became longer by {:+.2f} +- {:.2f} % in common.", between,
-            strain.group.empty() ? "all edges" : fmt::format("the edges of group {}", strain.group),
-            1e2 * strain.strain, 1e2 * strain.std),
-        .next =
-            "Check the temperature of both surveys, and that they have one scale. If the "
-            "cables creep or bed in, state it."};
+    const UncertainParameter creep{
+        .kind = Kind::creep, .std = to_digits(std::abs(strain.strain), 2), .group = strain.group};
+    return {.kind = FindingKind::uncertain_parameter,
+            .severity = Verdict::doubtful,
+            .ids = {std::string(creep.name()) + (creep.group.empty() ? "" : "@" + creep.group)},
+            .value = strain.strain,
+            .std = strain.std,
+            .remedy = Trust::Remedy{"uncertain", creep.std < widest ? creep.to_string() : ""},
+            .reason = fmt::format(
+                "{} the lengths of {} changed by {:+.2f} +- {:.2f} % in common.", between,
+                strain.group.empty() ? "all interior edges"
+                                     : fmt::format("the edges of group {}", strain.group),
+                1e2 * strain.strain, 1e2 * strain.std),
+            .next =
+                "Check the temperature of both surveys, and that they have one scale. If the "
+                "cables creep or bed in, state it."};
 }
 
 /// Reports how lengths changed before a survey, besides the turns given.
 void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
-                 const EpochChain::Changes& changes, size_t k) {
+                 const EpochChain::Changes& changes, double widest_creep, size_t k) {
     const std::string between = fmt::format("Between surveys {} and {}", k, k + 1);
     const bool is_significant = epoch.change_ratio > epoch.change_limit;
     const Trust::Finding contradiction{.kind = FindingKind::epoch,
@@ -256,7 +256,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
         trust.findings.push_back(contradiction);
         trust.findings.back().severity = Verdict::failed;
         if (changes.common_strain) {
-            trust.findings.push_back(creep_finding(*changes.common_strain, between));
+            trust.findings.push_back(creep_finding(*changes.common_strain, widest_creep, between));
         }
         return;
     }
@@ -273,7 +273,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
         trust.findings.push_back(change_finding(net, epoch, change, between));
     }
     if (changes.common_strain && !are_strokes_off) {
-        trust.findings.push_back(creep_finding(*changes.common_strain, between));
+        trust.findings.push_back(creep_finding(*changes.common_strain, widest_creep, between));
     } else if (epoch.excess_actuator_std > 0.0) {
         trust.findings.push_back(
             {.kind = FindingKind::actuator_std,
@@ -321,8 +321,9 @@ Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epoch
         }
     }
     add_start(trust, net, epochs.front());
+    const double widest_creep = most_creep / std::sqrt(static_cast<double>(epochs.size()) - 1.0);
     for (size_t k = 1; k < epochs.size(); ++k) {
-        add_changes(trust, net, epochs[k], changes[k], k);
+        add_changes(trust, net, epochs[k], changes[k], widest_creep, k);
     }
     return trust;
 }
@@ -535,6 +536,7 @@ Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
                        "survey converged with its adjustable lengths uncertain.",
              .next = "Look at each survey by itself."});
     }
+    name_widths(result);
     const CommonDeviation common = result.prior.common;  // of all surveys
     result.prior = first.prior;
     result.prior.common = common;

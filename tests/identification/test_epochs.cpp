@@ -683,8 +683,7 @@ TEST(Epochs, AKnownLoadThatIsNotGivenIsNamed) {
     EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
 }
 
-/// The strain that interior edges gain between two surveys, which do not show it unless it is
-/// assumed.
+/// The strain that interior edges gain between two surveys.
 TEST(Epochs, FindTheCreepOfRopes) {
     constexpr double strain = 4e-3;
     Eigen::VectorXd crept = Eigen::VectorXd::Zero(net().interior_edge_count());
@@ -725,6 +724,12 @@ TEST(Epochs, FindTheCreepOfRopes) {
         EXPECT_EQ(larger.findings[0].ids, std::vector<std::string>{"creep@rope"});
         EXPECT_NEAR(larger.findings[0].value.value(), 2.0 * strain, 3.0 * 1.5e-3);
         EXPECT_EQ(parse_uncertain_parameter(larger.findings[0].remedy->value).group, "rope");
+        const Trust largest =
+            identify_epochs(grouped, job_of(seed, {}, {}, 4.0 * crept).epochs, without).trust;
+        EXPECT_NE(largest.verdict(), Trust::Verdict::passed);
+        EXPECT_TRUE(std::ranges::any_of(largest.findings, [](const Trust::Finding& one) {
+            return one.ids == std::vector<std::string>{"creep@rope"} && one.remedy->value.empty();
+        }));
     }
     EXPECT_LE(far, 1);
     EXPECT_THAT([&] { (void)identify(grouped, job_of(1, {}, {}).epochs[0].survey, options); },
