@@ -177,8 +177,7 @@ LinearisedFit SurveyFit::run() {
     Explanation best = explain(m_hypotheses, nominal(), last);  // (map), (snooping)
     if (!best.is_sound()) {
         best = by_rounded_tension_laws(std::move(best.hypotheses));  // (rounded-law)
-    }
-    if (best.is_sound() && m_model.corner_width == 0.0) {
+    } else {
         if (best.hypotheses.is_active(Family::boundary)) {
             test(best, {.boundary = BoundaryTest::at_once});
             if (best.hypotheses.may_be_boundary()) {
