@@ -15,12 +15,13 @@ from coverage import Net, taut
 from page_block import show
 
 TRIALS = 100
+MUCH_TOO_SHORT = "adjustable edge of hypar:9x9 too short, default call"
 NOISE = 0.5e-3
 # Baarda: of one test in 1,000 for all 128 edges a threshold of 21.3, found with a probability of 80 %.
 LEAST = np.sqrt(21.3) + 0.84
 
 
-def identified(net, folder, seed, alter, wrong_target=None):
+def identified(net, folder, seed, alter, words, wrong_target=None):
     """Result of a survey of the net built otherwise, a tenth hidden."""
     net.alter = lambda deviations, nodes, random: alter(deviations, nodes)
     form, *_ = net.build("uniform:5mm", [], seed)
@@ -32,8 +33,8 @@ def identified(net, folder, seed, alter, wrong_target=None):
                 place = place + 0.01 * np.array([0.6, 0.0, 0.8])
             if random.random() >= 0.1 or node == wrong_target:
                 out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
-    taut("identify", folder / "net.json", folder / "survey.csv", "--noise", "0.5mm", "--prior", "uniform:5mm", "--frame",
-         "net", "--uncertain", "none", "--draws", "0", "--quiet", "-o", folder / "result.json")
+    taut("identify", folder / "net.json", folder / "survey.csv", "--noise", "0.5mm", "--prior", "uniform:5mm", *words,
+         "--draws", "0", "--quiet", "-o", folder / "result.json")
     return json.loads((folder / "result.json").read_text())
 
 
@@ -52,6 +53,7 @@ def named(result):
 
 
 def row(kind, net, folder, trials):
+    words = [] if kind == MUCH_TOO_SHORT else ["--frame", "net", "--uncertain", "none"]
     random = np.random.default_rng(7)
     tried = first = false_alarms = 0
     sizes = []
@@ -69,17 +71,20 @@ def row(kind, net, folder, trials):
                     deviations[edge] = by
                 return alter
 
-            probe = identified(net, folder, seed, turned(0.03))["diagnostics"]["boundary"]
-            std = next((entry["std"] for entry in probe if entry.get("edge") == edge), None)
-            if std is None:
-                continue
-            size = 2 * LEAST * std
-            alter = turned(size * random.choice([-1, 1]))
-        named = named(identified(net, folder, seed, alter, wrong_target))
+            if kind == MUCH_TOO_SHORT:
+                size, alter = 0.015, turned(-0.015)
+            else:
+                probe = identified(net, folder, seed, turned(0.03), words)["diagnostics"]["boundary"]
+                std = next((entry["std"] for entry in probe if entry.get("edge") == edge), None)
+                if std is None:
+                    continue
+                size = 2 * LEAST * std
+                alter = turned(size * random.choice([-1, 1]))
+        accused = named(identified(net, folder, seed, alter, words, wrong_target))
         tried += 1
         sizes.append(size)
-        first += bool(named) and culprit in named[0]
-        false_alarms += sum(culprit not in names for names in named)
+        first += bool(accused) and culprit in accused[0]
+        false_alarms += sum(culprit not in names for names in accused)
     return (f"| {kind} | {1e3 * np.min(sizes):.1f} to {1e3 * np.max(sizes):.1f} | {tried} of {trials} | {first} | {false_alarms} |")
 
 
@@ -93,6 +98,7 @@ def lines():
         net = Net("hilo-quarter", 1, folder)
         for kind in ("target", "adjustable edge"):
             yield row(kind, net, folder, trials)
+        yield row(MUCH_TOO_SHORT, Net("hypar:9x9", 1, folder), folder, trials)
 
 
 if __name__ == "__main__":

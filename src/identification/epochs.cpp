@@ -272,7 +272,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
     for (const LengthChange& change : epoch.changes) {
         trust.findings.push_back(change_finding(net, epoch, change, between));
     }
-    if (changes.common_strain && !are_strokes_off) {
+    if (changes.common_strain) {
         trust.findings.push_back(creep_finding(*changes.common_strain, widest_creep, between));
     } else if (epoch.excess_actuator_std > 0.0) {
         trust.findings.push_back(
