@@ -31,7 +31,7 @@ constexpr double most_left_out = 0.02;
 constexpr int most_descents_a_draw = 60;
 constexpr double decrement_of_draw = 0.05;
 
-constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
+constexpr double corner_of_draws = 0.3;  ///< as in fit()
 constexpr double corner_of_chains = 0.01;
 constexpr int fewest_chain_draws = 40;  ///< they show whether chains follow the exact law
 

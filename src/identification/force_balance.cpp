@@ -31,13 +31,12 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
     } else {
         const PriorKnowledge knowledge(net, prior);
         for (const double width : prior_widths) {
-            SurveyFit fit(net, survey, knowledge,
-                          {.max_iterations = max_iterations, .prior_width = width});
-            const LinearisedFit fitted = fit.run();
-            if (fit.converged() || width == prior_widths.back()) {
-                result = identification_of(net, net, survey, prior, fit.knowledge(), fit, fitted,
-                                           fit.observations());
-                predict_form(result, net, survey, fitted.iterate.form);
+            const SurveyFit fit = fit_survey(
+                net, survey, knowledge, {.max_iterations = max_iterations, .prior_width = width});
+            if (fit.converged || width == prior_widths.back()) {
+                result = identification_of(net, net, survey, prior, fit.knowledge, fit, fit.at,
+                                           fit.observations);
+                predict_form(result, net, survey, fit.at.iterate.form);
                 break;
             }
         }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "estimation/expectation_propagation.hpp"
 #include "estimation/frame_check.hpp"
 #include "estimation/length_likelihoods.hpp"
+#include "estimation/length_tests.hpp"
 #include "estimation/length_trend.hpp"
 #include "estimation/prior_check.hpp"
 #include "estimation/target_tests.hpp"
@@ -50,34 +50,20 @@ std::string why_not_converged(const CableNet& net, const Survey& survey, const L
     return text;
 }
 
-/// A fit and what it ended with.
-struct SurveySearch {
-    std::unique_ptr<SurveyFit> fit;
-    LinearisedFit fitted;
-};
-
-SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
-                        const SurveyFitSettings& settings) {
-    auto fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings);
-    LinearisedFit fitted = fit->run();  // (map), (slack-form), (snooping)
-    return {std::move(fit), std::move(fitted)};
-}
-
 /// Whether the survey does not contradict the marks of slack and taut edges: whether the fit with
 /// them costs no more, beyond chance, than the fit without.
-bool is_believable(const SurveySearch& with, const SurveySearch& without, const Forces& seen) {
+bool is_believable(const SurveyFit& with, const SurveyFit& without, const Forces& seen) {
     constexpr double by_chance = 20.0;    // a normal error of 4.5 standard deviations
     constexpr double a_slack_edge = 9.0;  // may be this far from the mean of its prior
     // An edge kept taut may carry pressure in the fit, which costs nothing.
     constexpr double surely = 4.0;  // standard deviations
-    const Eigen::VectorXd tensions = with.fitted.model().tensions(with.fitted.iterate);
-    const Eigen::VectorXd& variances = with.fitted.covariance.tensions;
+    const Eigen::VectorXd tensions = with.at.model().tensions(with.at.iterate);
+    const Eigen::VectorXd& variances = with.at.covariance.tensions;
     const bool has_pressure = std::ranges::any_of(seen.taut, [&](int edge) {
         return tensions(edge) < -surely * std::sqrt(std::max(0.0, variances(edge)));
     });
-    return !has_pressure &&
-           with.fit->cost() <= without.fit->cost() + by_chance +
-                                   a_slack_edge * static_cast<double>(seen.slack.size());
+    return !has_pressure && with.cost <= without.cost + by_chance +
+                                             a_slack_edge * static_cast<double>(seen.slack.size());
 }
 
 /// Reports the marked edges that the fit without marks contradicts; where there are none, all.
@@ -147,10 +133,10 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     Diagnostics shown;
     const Iterate at = fitted.iterate;
     const std::vector<bool> slack = fitted.model().slack;
-    const Observations observed = fit.observations();
+    const Observations observed = fit.observations;
     Observations scaled = observed;
-    shown.frame = check_frame(fitted, observed, fit.hypotheses().residual_scale);
-    std::vector<bool> left_out = fit.hypotheses().released_lengths();
+    shown.frame = check_frame(fitted, observed, fit.hypotheses.residual_scale);
+    std::vector<bool> left_out = fit.hypotheses.released_lengths();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
@@ -159,15 +145,15 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
             shown.adjustable_stds(i) = given.unturned_std.value_or(
                 std_of(given.uncertain, UncertainParameter::Kind::adjustable));
         }
-        left_out[i] = left_out[i] || slack[edge] || fit.knowledge().priors[i] != prior;
+        left_out[i] = left_out[i] || slack[edge] || fit.knowledge.priors[i] != prior;
     }
     shown.scales = estimate_components(fitted, scaled, left_out);
     const PriorLikelihood likelihood(prior,
-                                     length_likelihoods(fit.knowledge(), fitted.model(),
+                                     length_likelihoods(fit.knowledge, fitted.model(),
                                                         fitted.covariance, scaled, fitted.iterate),
                                      left_out);
     shown.prior = check_prior_by_lengths(prior, likelihood);
-    shown.prior.outliers = fit.hypotheses().given_up();
+    shown.prior.outliers = fit.hypotheses.given_up();
     set_mean(shown.prior, fitted, scaled, left_out);
     if (given.hyperprior) {
         fitted.iterate = at;
@@ -179,12 +165,17 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
 }
 
 /// (detectable)
-DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const SurveyFit& fit,
+/// @param priors as given to the fit (m_I)
+DetectableErrors detectable_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
+                               const SurveyFit& fit, const std::vector<LengthPrior>& priors,
                                const Diagnostics& shown) {
-    const Hypotheses& tested = fit.hypotheses();
+    const Hypotheses& tested = fit.hypotheses;
+    const auto length = [&](const std::vector<int>& edges) {
+        return detectable_length(tested, fit_net, priors, edges);
+    };
     DetectableErrors result{.target = tested.detectable(Suspect::target),
-                            .length = fit.detectable_length(net.interior_edges()),
-                            .adjustable = std::min(fit.detectable_length(net.adjustable_edges()),
+                            .length = length(net.interior_edges()),
+                            .adjustable = std::min(length(net.adjustable_edges()),
                                                    tested.detectable(Suspect::adjustable_edge)),
                             .support = tested.detectable(Suspect::support)};
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
@@ -305,8 +296,8 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fi
 /// Reports the released interior edges and boundary. Adjustable edges of uncertain length are
 /// interior edges of the fit.
 void set_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
-    result.boundary_outliers = boundary_outliers(fit.hypotheses());
-    for (const LengthOutlier& outlier : fit.length_outliers()) {
+    result.boundary_outliers = boundary_outliers(fit.hypotheses);
+    for (const LengthOutlier& outlier : fit.length_outliers) {
         if (std::ranges::binary_search(net.interior_edges(), outlier.edge)) {
             result.length_outliers.push_back(outlier);
             continue;
@@ -359,57 +350,56 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     unseen.forces.slack.clear();
     SurveyFitSettings fitting = settings;
     fitting.progress = {.report = {}, .stop_requested = progress.stop_requested};
-    SurveySearch found = search_fit(fit_net, survey, all, fitting);
+    SurveyFit fit = fit_survey(fit_net, survey, all, fitting);  // (map), (slack-form), (snooping)
     Identification verdict;
     if (!given.forces.taut.empty() || !given.forces.slack.empty()) {
-        SurveySearch without = search_fit(fit_net, survey, unseen, fitting);
-        if (!is_believable(found, without, given.forces)) {
-            set_contradicted_marks(verdict, without.fitted, given.forces);
-            found = std::move(without);
+        SurveyFit without = fit_survey(fit_net, survey, unseen, fitting);
+        if (!is_believable(fit, without, given.forces)) {
+            set_contradicted_marks(verdict, without.at, given.forces);
+            fit = std::move(without);
         }
     }
-    const SurveyFit& fit = *found.fit;
-    const PriorKnowledge& knowledge = fit.knowledge();
-    LinearisedFit& fitted = found.fitted;
-    Observations observations = fit.observations();
+    const PriorKnowledge& knowledge = fit.knowledge;
+    LinearisedFit fitted = std::move(fit.at);
+    Observations observations = fit.observations;
     Diagnostics shown;
-    if (fit.converged()) {
+    if (fit.converged) {
         const StaticsModel model = fitted.model();
         const Iterate at = fitted.iterate;
         shown = diagnostics_of(net, fit_net, given, fit, std::move(fitted));
         fitted = linearised_fit(model, at, observations);
     }
     if (common_count) {
-        epoch.own = fit.converged() ? forgotten(own_evidence(fitted, observations, *common_count),
-                                                edges_maybe_slack(net, fit_net, fitted))
-                                    : no_evidence(fit_net.interior_edge_count() + *common_count);
+        epoch.own = fit.converged ? forgotten(own_evidence(fitted, observations, *common_count),
+                                              edges_maybe_slack(net, fit_net, fitted))
+                                  : no_evidence(fit_net.interior_edge_count() + *common_count);
     }
-    if (fit.converged()) {
+    if (fit.converged) {
         Propagated propagated =
-            propagate_prior(knowledge, std::move(fitted), observations, fit.tolerance());
+            propagate_prior(knowledge, std::move(fitted), observations, fit.tolerance);
         fitted = std::move(propagated.fit);
         observations = std::move(propagated.observations);
     }
     result =
         identification_of(net, fit_net, survey, given.prior, knowledge, fit, fitted, observations);
     result.force_measurements = static_cast<int>(given.forces.measurements.size());
-    result.force_outliers = fit.force_outliers();
-    result.force_bias = force_bias(fit.hypotheses());
+    result.force_outliers = fit.force_outliers;
+    result.force_bias = force_bias(fit.hypotheses);
     result.prior = shown.estimate.value_or(exact_prior(given.prior));
     const LengthTrend trend =
-        given.has_trend && fit.converged()
+        given.has_trend && fit.converged
             ? trend_of(fitted, observations, shown.left_out, shown.adjustable_stds, given.prior)
             : LengthTrend();
     result.prior.common = trend.found;
-    if (fit.converged()) {
-        result.detectable = detectable_of(net, survey, fit, shown);
+    if (fit.converged) {
+        result.detectable = detectable_of(net, fit_net, survey, fit, all.priors, shown);
     }
     result.scales = shown.scales;
     result.prior_check = shown.prior;
     result.frame_check = shown.frame;
     result.frame_check.scale_std = std::hypot(shown.frame.scale_std, survey.scale_std);
     set_outliers(result, net, fit);
-    result.boundary_not_released = fit.hypotheses().suspicious_count(Hypotheses::Family::boundary);
+    result.boundary_not_released = fit.hypotheses.suspicious_count(Hypotheses::Family::boundary);
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
     if (fitted.model().common.has_frame()) {
@@ -428,11 +418,11 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         fixed.fix_tension_laws(fitted.iterate);  // (drawn-law)
         fitted.linearisation = std::move(fitted.linearisation).under(std::move(fixed));
     }
-    if (fit.converged()) {
+    if (fit.converged) {
         result.form_covariance = fitted.covariance.places;
     }
     draw_posterior(result, net, fit_net, survey, knowledge, fitted, observations, wanted, progress);
-    if (!wanted.covariance_of.empty() && fit.converged()) {
+    if (!wanted.covariance_of.empty() && fit.converged) {
         // After the draws, which may widen the standard deviations.
         result.length_covariance =
             covariance_of(wanted.covariance_of, fit_net, fitted.linearisation, trend, result);
@@ -463,11 +453,11 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
                                  const SurveyFit& fit, const LinearisedFit& fitted,
                                  const Observations& observations) {
     Identification result;
-    if (!fit.converged()) {
+    if (!fit.converged) {
         result.status = IdentificationStatus::iteration_limit;
         result.message = why_not_converged(net, survey, prior);
     }
-    set_snooping(result, survey, fit.hypotheses(), fit.outliers(), fit.contradicts_too_many());
+    set_snooping(result, survey, fit.hypotheses, fit.outliers, fit.contradicts_too_many);
     std::vector<LengthLikelihood> likelihoods =
         length_likelihoods(knowledge, fitted.model(), fitted.covariance, observations,
                            fitted.iterate);  // (covariance), (likelihood), (posterior)

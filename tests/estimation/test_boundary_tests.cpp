@@ -24,14 +24,12 @@ struct Fitted {
     CableNet net;
     SimulatedSurvey simulated;
     SurveyFit fit;
-    LinearisedFit result;
 
     Fitted(const CableNet& designed, const CableNet& built, bool tested)
         : net(designed),
           simulated(simulate(built, prior, noise, 3)),
-          fit(net, simulated.survey, PriorKnowledge(net, prior),
-              {.false_alarm_rate = tested ? default_false_alarm_rate : 0.0}),
-          result(fit.run()) {}
+          fit(fit_survey(net, simulated.survey, PriorKnowledge(net, prior),
+                         {.false_alarm_rate = tested ? default_false_alarm_rate : 0.0})) {}
 };
 
 CableNet with_length(const CableNet& net, int edge, double by) {
@@ -47,11 +45,11 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
     const double off = 0.01;
     const Fitted held(net, with_length(net, edge, off), false);
     const Fitted freed(net, with_length(net, edge, off), true);
-    const Linearisation::Score score = held.result.linearisation.score_of_edge(
-        edge, held.result.covariance, held.result.iterate, held.fit.observations());
+    const Linearisation::Score score = held.fit.at.linearisation.score_of_edge(
+        edge, held.fit.at.covariance, held.fit.at.iterate, held.fit.observations);
     const double std = 1.0 / std::sqrt(score.information(0, 0));
     const double estimate = score.gradient(0) / score.information(0, 0);
-    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses());
+    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses);
     ASSERT_EQ(found.size(), 1U) << estimate << " +- " << std;
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::adjustable_edge);
     EXPECT_EQ(found[0].index, edge);
@@ -65,14 +63,14 @@ TEST(SurveyScore, IsTheSlopeOfTheObjective) {
     const CableNet net = hypar(6, 6);
     const Fitted held(net, net, false);
     const Points rate = net.nodes().colwise() - net.nodes().rowwise().mean();
-    const Observations observed = held.fit.observations();
+    const Observations observed = held.fit.observations;
     const Linearisation::Score score =
-        held.result.linearisation.score_of_survey({rate}, held.result.iterate, observed);
+        held.fit.at.linearisation.score_of_survey({rate}, held.fit.at.iterate, observed);
     const auto objective = [&](double scale) {
         Observations scaled = observed;
         scaled.form -= scale * rate;
-        const StaticsModel& model = held.result.model();
-        Iterate at = held.result.iterate;
+        const StaticsModel& model = held.fit.at.model();
+        Iterate at = held.fit.at.iterate;
         for (int round = 0; round < 6; ++round) {
             at = at.moved(linearise(model, at, scaled).value().step(at, scaled));
         }
@@ -103,16 +101,14 @@ TEST(BoundaryScore, OfASurveyedSupportIsThatOfTheFreePlace) {
         PriorKnowledge knowledge(net, prior);
         knowledge.uncertain = {parse_uncertain_parameter("stiffness:5%")};
         knowledge.frame_is_unknown = is_frame_unknown;
-        SurveyFit kept(net, survey, knowledge, {.false_alarm_rate = 0.0});
-        SurveyFit freed(net, survey, knowledge, {});
-        const LinearisedFit at_kept = kept.run();
-        static_cast<void>(freed.run());
+        const SurveyFit kept = fit_survey(net, survey, knowledge, {.false_alarm_rate = 0.0});
+        const SurveyFit freed = fit_survey(net, survey, knowledge);
         const std::span<const int> edges = net.edges_at(held);
-        const Linearisation::Score score = at_kept.linearisation.score_of_support(
-            held, {edges.begin(), edges.end()}, at_kept.covariance, at_kept.iterate,
-            kept.observations());
+        const Linearisation::Score score = kept.at.linearisation.score_of_support(
+            held, {edges.begin(), edges.end()}, kept.at.covariance, kept.at.iterate,
+            kept.observations);
         const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
-        const std::vector<BoundaryOutlier> found = boundary_outliers(freed.hypotheses());
+        const std::vector<BoundaryOutlier> found = boundary_outliers(freed.hypotheses);
         ASSERT_EQ(found.size(), 1U);
         EXPECT_EQ(found[0].index, held);
         const Eigen::Matrix3d covariance = score.information.inverse();
@@ -144,10 +140,10 @@ TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
     moved.nodes(2, held) += 0.006;
     const Fitted kept(net, CableNet(moved), false);
     const Fitted freed(net, CableNet(moved), true);
-    const Linearisation::Score score = kept.result.linearisation.score_of_support(
-        held, edges_at(held), kept.result.covariance, kept.result.iterate, kept.fit.observations());
+    const Linearisation::Score score = kept.fit.at.linearisation.score_of_support(
+        held, edges_at(held), kept.fit.at.covariance, kept.fit.at.iterate, kept.fit.observations);
     const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
-    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses());
+    const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::support);
     EXPECT_EQ(found[0].index, held);

@@ -557,12 +557,17 @@ TEST(Diagnostics, OfATurnbuckleOrASupportNamesIt) {
 TEST(Diagnostics, OfAMuchTooShortCableNamesItAlone) {
     const LengthPrior narrow{LengthPrior::Kind::uniform, 2e-3};
     const CableNet saddle = hypar(9, 9);
-    for (const int edge : {3, 7, 28}) {
+    struct Case {
+        int edge;
+        bool assume_site;  // without it some of these fits take rounded tension laws
+    };
+    for (const auto [edge, assume_site] : {Case{3, true}, Case{7, true}, Case{28, true},
+                                           Case{6, false}, Case{9, false}, Case{45, false}}) {
         CableNetData data = saddle.data();
         data.unstressed_lengths(edge) -= 0.015;
         const SimulatedSurvey s = survey_of(CableNet(data), narrow, 2);
         const Identification result =
-            identify(saddle, s.survey, {.prior = narrow, .assume_site = true, .draws = 0});
+            identify(saddle, s.survey, {.prior = narrow, .assume_site = assume_site, .draws = 0});
         ASSERT_EQ(result.boundary_outliers.size(), 1U) << edge;
         EXPECT_EQ(result.boundary_outliers[0].index, edge);
         EXPECT_NEAR(result.boundary_outliers[0].deviation.x(), -0.015, 3e-3);
