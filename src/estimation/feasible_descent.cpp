@@ -121,16 +121,22 @@ GaussNewtonResult feasible_descent(const StaticsModel& model, const Observations
                 return result;
             }
         }
-        const auto trial = projected(*at, here, result.iterate.moved(step));
-        const double decrease = trial ? F - model.objective(observations, *trial) : -1.0;
-        if (decrease > least_gain * predicted) {
-            result.iterate = *trial;
-            F -= decrease;
-            damping =
-                decrease > good_gain * predicted ? std::max(least_damping, 0.1 * damping) : damping;
-        } else {
-            damping *= 8.0;
+        // Damping shortens the step of the lengths alone: where it is large, a part of it for all.
+        bool is_taken = false;
+        for (const double part : {1.0, 1.0 / (1.0 + damping)}) {
+            const auto trial = projected(*at, here, result.iterate.moved(step, part));
+            const double decrease = trial ? F - model.objective(observations, *trial) : -1.0;
+            const double expected = part * (2.0 - part) * predicted;
+            is_taken = decrease > least_gain * expected;
+            if (is_taken) {
+                result.iterate = *trial;
+                F -= decrease;
+                damping = decrease > good_gain * expected ? std::max(least_damping, 0.1 * damping)
+                                                          : damping;
+                break;
+            }
         }
+        damping *= is_taken ? 1.0 : 8.0;
     }
     return result;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/marginal_mode.hpp"
 #include "numerics/dense.hpp"
 #include "taut/net/cable_runs.hpp"
 
@@ -25,7 +26,6 @@ constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
 constexpr double nonlinearity = 0.1;
 constexpr double nonlinearity_of_adjustable = 0.2;
 
-constexpr int most_edges = 5000;
 constexpr Eigen::Index most_runs = 128;
 
 /// Prior standard deviation of what all adjustable edges have in common, in their own: all may have
@@ -122,13 +122,12 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
                      const LengthPrior& prior) {
     const CableNet& net = fitted.model().net();
     LengthTrend trend;
-    if (net.interior_edge_count() > most_edges) {
-        return trend;
-    }
     // Not estimated where it is known better than the linearisation is accurate.
     const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
     const double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
-    const bool is_unseen = adjustable_std > 0.0 && adjustable_std < adjustable_bias;
+    const bool has_many_edges = net.interior_edge_count() >= fewest_for_marginal_mode;
+    const bool is_unseen =
+        adjustable_std > 0.0 && (has_many_edges || adjustable_std < adjustable_bias);
     trend.columns =
         columns_of(net, left_out, adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());
     const Eigen::Index count = trend.columns.cols();
@@ -145,12 +144,27 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     Eigen::MatrixXd information =
         trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
 
+    // (marginal-mode): each edge has its part of the slope by all. How far it moves a mean is known
+    // no better than by as much.
+    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(count);
+    if (has_many_edges) {
+        const double h = nonlinearity * prior.std();
+        Observations moved = observations;
+        moved.mean += h * trend.columns.col(0);
+        const double slope = DeterminantSlope(fitted, observations).change(moved) / h;
+        const Eigen::VectorXd sums = trend.columns.colwise().sum();
+        slopes = std::isfinite(slope) ? slope / sums(0) * sums : slopes;
+    }
+    score -= slopes;
     // Non-linearity moves a mean by as much, so it is known no better.
     const auto blur = [&](Eigen::Index k, double bias) {
         const Eigen::VectorXd of_mean = information.col(k);
-        const double part = bias * bias / (1.0 + bias * bias * of_mean(k));
-        score -= part * score(k) * of_mean;
-        information -= part * of_mean * of_mean.transpose();
+        if (of_mean(k) > 0.0) {
+            const double squared = bias * bias + std::pow(slopes(k) / of_mean(k), 2);
+            const double part = squared / (1.0 + squared * of_mean(k));
+            score -= part * score(k) * of_mean;
+            information -= part * of_mean * of_mean.transpose();
+        }
     };
     blur(0, nonlinearity * prior.std());
     if (has_struts) {

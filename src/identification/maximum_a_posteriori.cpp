@@ -17,9 +17,11 @@
 #include "estimation/detectable_error.hpp"
 #include "estimation/expectation_propagation.hpp"
 #include "estimation/frame_check.hpp"
+#include "estimation/gauss_newton.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/length_tests.hpp"
 #include "estimation/length_trend.hpp"
+#include "estimation/marginal_mode.hpp"
 #include "estimation/prior_check.hpp"
 #include "estimation/target_tests.hpp"
 #include "estimation/variance_components.hpp"
@@ -323,6 +325,24 @@ void leave_out_released(Identification& result) {
     });
 }
 
+/// (marginal-mode), where so many edges make a difference.
+void move_to_marginal_mode(SurveyFit& fit, LinearisedFit& fitted,
+                           const SurveyFitSettings& settings) {
+    const StaticsModel model = fitted.model();
+    const int count = model.common.kept_count() - (model.common.has_frame() ? 6 : 0);
+    if (model.net().interior_edge_count() < fewest_for_marginal_mode || count == 0) {
+        return;
+    }
+    Observations moved = with_marginal_mode(fitted, fit.observations, count);
+    GaussNewtonResult found = gauss_newton(model, moved, fitted.iterate, fit.tolerance,
+                                           settings.max_iterations, settings.progress);
+    if (found.converged) {
+        Covariance covariance = found.linearisation->covariance();
+        fitted = {std::move(found.iterate), *std::move(found.linearisation), std::move(covariance)};
+        fit.observations = std::move(moved);
+    }
+}
+
 /// @param common_count of the evidence of the survey alone, with this number of common parameters;
 ///   empty: no evidence is wanted
 IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const Given& given,
@@ -361,8 +381,11 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     }
     const PriorKnowledge& knowledge = fit.knowledge;
     LinearisedFit fitted = std::move(fit.at);
-    Observations observations = fit.observations;
     Diagnostics shown;
+    if (fit.converged) {
+        move_to_marginal_mode(fit, fitted, fitting);
+    }
+    Observations observations = fit.observations;
     if (fit.converged) {
         const StaticsModel model = fitted.model();
         const Iterate at = fitted.iterate;

@@ -576,6 +576,38 @@ TEST(Diagnostics, OfAMuchTooShortCableNamesItAlone) {
     }
 }
 
+// The mode of all unknowns together is not that of what many edges share, (marginal-mode).
+TEST(Diagnostics, OfManyEdgesKeepWhatTheyShare) {
+    const LengthPrior narrow{LengthPrior::Kind::uniform, 1e-3};
+    const CableNet saddle = hypar(24, 24);
+    const SimulatedSurvey s = survey_of(saddle, narrow, 2);
+    const Identification result =
+        identify(saddle, s.survey, {.prior = narrow, .assume_site = true, .draws = 0});
+    EXPECT_TRUE(std::ranges::none_of(result.trust.findings, [](const Trust::Finding& finding) {
+        return finding.kind == Kind::uncertain_parameter;
+    }));
+    EXPECT_GT(coverage(result, s.deviations), 0.93);
+    double mean_error = 0.0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        mean_error += (result.edges[i].length_deviation - s.deviations(static_cast<int>(i))) /
+                      static_cast<double>(result.edges.size());
+    }
+    EXPECT_LT(std::abs(mean_error), 0.15e-3);
+}
+
+// Steps that damping of the lengths alone does not shorten.
+TEST(Diagnostics, ReportTensionsWhereEdgesMayBeSlack) {
+    const LengthPrior wide{LengthPrior::Kind::uniform, 7e-3};
+    for (const std::uint64_t seed : {4, 11, 14}) {
+        SimulatedSurvey s = survey_of(net(), wide, seed);
+        for (size_t i = seed; i < net().free_nodes().size(); i += 10) {
+            hide(net(), s.survey, net().free_nodes()[i]);
+        }
+        const Identification result = identify(net(), s.survey, {.assume_site = true, .draws = 12});
+        EXPECT_EQ(result.draws->reason, "") << seed;
+    }
+}
+
 TEST(Diagnostics, OfTheScaleOrTheFrameNamesIt) {
     const SimulatedSurvey s = survey_of(net(), prior, 21);
     const Identification right = identified(s.survey, prior);
