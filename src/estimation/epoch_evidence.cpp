@@ -93,7 +93,8 @@ LengthEvidence own_evidence(const LinearisedFit& fitted, const Observations& obs
         observations.variance + fitted.model().blur.length_variances(lengths);
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(lengths + common_count);
     mean.head(lengths) = observations.mean;
-    mean.tail(common_count) = observations.common_mean.head(common_count);
+    // Common parameters have the prior mean 0: by how much theirs was moved, (marginal-mode), is
+    // evidence of the survey.
     const Eigen::VectorXd stds = prior_variances.cwiseSqrt();
     const auto by_std = stds.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd precision =

@@ -337,10 +337,9 @@ void test_hypotheses(const FitProblem& problem, Explanation& found, const FitMod
 }
 
 Explanation explain(const FitProblem& problem, Hypotheses hypotheses, FitState start,
-                    const FitMode& mode, std::optional<Linearisation> memory) {
+                    const FitMode& mode) {
     hypotheses.reopen();
-    Explanation found =
-        fit(problem, std::move(hypotheses), std::move(start), mode, std::move(memory));
+    Explanation found = fit(problem, std::move(hypotheses), std::move(start), mode);
     // A descent that was cut short shows the largest gross errors, too.
     const auto can_be_tested = [&] {
         return found.hypotheses.is_active(Family::targets) &&
@@ -367,11 +366,10 @@ Explanation explain(const FitProblem& problem, Hypotheses hypotheses, FitState s
 }
 
 Explanation explain_from_nominal(const FitProblem& problem, Hypotheses hypotheses,
-                                 const FitMode& mode, std::optional<Linearisation> memory) {
-    hypotheses.reopen();
+                                 const FitMode& mode) {
     FitState start = nominal_state(problem);
     start.slack = Assumed(problem, hypotheses).measured_slack(mode.inflation);
-    return explain(problem, std::move(hypotheses), std::move(start), mode, std::move(memory));
+    return explain(problem, std::move(hypotheses), std::move(start), mode);
 }
 
 }  // namespace taut

@@ -36,7 +36,7 @@ struct FitProblem {
     Survey survey;  ///< with the surveyed supports as targets
     PriorKnowledge knowledge;
     Points noise;           ///< standard deviations of the survey (3 x n) [m]
-    double smallest_noise;  ///< of them [m]
+    double smallest_noise;  ///< of the targets [m]
     StaticsModel model;     ///< nothing released, all edges taut
     Hypotheses hypotheses;  ///< all in use
 
@@ -126,12 +126,10 @@ void test_hypotheses(const FitProblem& problem, Explanation& found, const FitMod
 
 /// The third loop: fits, and repeats the fit until data snooping changes nothing more.
 [[nodiscard]] Explanation explain(const FitProblem& problem, Hypotheses hypotheses, FitState start,
-                                  const FitMode& mode = {},
-                                  std::optional<Linearisation> memory = std::nullopt);
+                                  const FitMode& mode = {});
 
 /// The same from the nominal form, with those edges slack that were measured to be.
 [[nodiscard]] Explanation explain_from_nominal(const FitProblem& problem, Hypotheses hypotheses,
-                                               const FitMode& mode = {},
-                                               std::optional<Linearisation> memory = std::nullopt);
+                                               const FitMode& mode = {});
 
 }  // namespace taut

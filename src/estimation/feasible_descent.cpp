@@ -124,6 +124,9 @@ GaussNewtonResult feasible_descent(const StaticsModel& model, const Observations
         // Damping shortens the step of the lengths alone: where it is large, a part of it for all.
         bool is_taken = false;
         for (const double part : {1.0, 1.0 / (1.0 + damping)}) {
+            if (part < 1.0 && damping < 1.0) {
+                break;
+            }
             const auto trial = projected(*at, here, result.iterate.moved(step, part));
             const double decrease = trial ? F - model.objective(observations, *trial) : -1.0;
             const double expected = part * (2.0 - part) * predicted;

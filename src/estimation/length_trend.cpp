@@ -115,85 +115,65 @@ Posterior posterior_with_last_unseen(const Eigen::VectorXd& score,
     return all;
 }
 
-}  // namespace
+/// Where the columns of G are that not every net has; -1: there is none.
+struct Places {
+    Eigen::Index runs = 0;  ///< how many, after the mean
+    Eigen::Index struts = -1;
+    Eigen::Index adjustable = -1;
+};
 
-LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observations,
-                     const std::vector<bool>& left_out, const Eigen::VectorXd& adjustable_stds,
-                     const LengthPrior& prior) {
-    const CableNet& net = fitted.model().net();
-    LengthTrend trend;
-    // Not estimated where it is known better than the linearisation is accurate.
-    const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
-    const double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
-    const bool has_many_edges = net.interior_edge_count() >= fewest_for_marginal_mode;
-    const bool is_unseen =
-        adjustable_std > 0.0 && (has_many_edges || adjustable_std < adjustable_bias);
-    trend.columns =
-        columns_of(net, left_out, adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());
-    const Eigen::Index count = trend.columns.cols();
-    const bool has_struts = has_common_struts(net);
-    const Eigen::Index runs = count - 1 - (has_struts ? 1 : 0) - (adjustable_std > 0.0 ? 1 : 0);
-    const Eigen::Index of_struts = 1 + runs;
-    const Eigen::VectorXd variances =
-        observations.variance + fitted.model().blur.length_variances(observations.variance.size());
-    const Eigen::VectorXd weights = variances.cwiseInverse();
-    const Eigen::MatrixXd weighted = weights.asDiagonal() * trend.columns;
-    const Linearisation::LengthResponse response =
-        fitted.linearisation.response_to_lengths(weighted);
-    Eigen::VectorXd score = weighted.transpose() * (fitted.iterate.deviations - observations.mean);
-    Eigen::MatrixXd information =
-        trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
+/// Log-likelihood of b, score' b - b' information b / 2, d integrated over.
+struct Likelihood {
+    Eigen::VectorXd score;
+    Eigen::MatrixXd information;
 
-    // (marginal-mode): each edge has its part of the slope by all. How far it moves a mean is known
-    // no better than by as much.
-    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(count);
-    if (has_many_edges) {
-        const double h = nonlinearity * prior.std();
-        Observations moved = observations;
-        moved.mean += h * trend.columns.col(0);
-        const double slope = DeterminantSlope(fitted, observations).change(moved) / h;
-        const Eigen::VectorXd sums = trend.columns.colwise().sum();
-        slopes = std::isfinite(slope) ? slope / sums(0) * sums : slopes;
-    }
-    score -= slopes;
-    // Non-linearity moves a mean by as much, so it is known no better.
-    const auto blur = [&](Eigen::Index k, double bias) {
+    /// Makes b_k known no better than this.
+    void blur(Eigen::Index k, double squared_bias) {
         const Eigen::VectorXd of_mean = information.col(k);
-        if (of_mean(k) > 0.0) {
-            const double squared = bias * bias + std::pow(slopes(k) / of_mean(k), 2);
-            const double part = squared / (1.0 + squared * of_mean(k));
-            score -= part * score(k) * of_mean;
-            information -= part * of_mean * of_mean.transpose();
+        const double part = squared_bias / (1.0 + squared_bias * of_mean(k));
+        score -= part * score(k) * of_mean;
+        information -= part * of_mean * of_mean.transpose();
+    }
+    /// (marginal-mode): each edge has its part of the slope by all. The mean is known no better
+    /// than by as much as it moves.
+    void move_to_marginal_mode(const LinearisedFit& fitted, const Observations& observations,
+                               const Eigen::MatrixXd& columns,
+                               const Linearisation::LengthResponse& response, double h) {
+        Observations moved = observations;
+        moved.mean += h * columns.col(0);
+        const double slope = DeterminantSlope(fitted, observations).change(moved) / h;
+        if (std::isfinite(slope) && information(0, 0) > 0.0) {
+            // The slope holds the response of the common parameters, which the fit was moved by.
+            score -= response.common.transpose() * observations.common_mean;
+            score -= slope / columns.col(0).sum() * columns.colwise().sum().transpose();
+            blur(0, std::pow(slope / information(0, 0), 2));
         }
-    };
-    blur(0, nonlinearity * prior.std());
-    if (has_struts) {
-        blur(of_struts, nonlinearity * prior.std());
     }
-    if (adjustable_std > 0.0 && !is_unseen) {
-        blur(count - 1, adjustable_bias);
-    }
+};
 
-    // A mixture over the scales of the runs, equally probable.
+/// The mixture over the scales of the runs, equally probable. Sets what is found of b.
+void mix(LengthTrend& trend, const Likelihood& shown, const Places& at, const LengthPrior& prior,
+         double mean_length, bool is_adjustable_unseen) {
+    const Eigen::Index count = shown.score.size();
     std::vector<Posterior> posteriors;
     std::vector<double> widths;
     std::vector<Eigen::VectorXd> prior_stds;
-    Eigen::VectorXd log_weights(runs > 0 ? 1 + std::ssize(run_widths) : 1);
-    const double mean_length = net.unstressed_lengths()(net.interior_edges()).mean();
+    Eigen::VectorXd log_weights(at.runs > 0 ? 1 + std::ssize(run_widths) : 1);
     for (Eigen::Index k = 0; k < log_weights.size(); ++k) {
         widths.push_back(
             k == 0 ? 0.0 : run_widths[static_cast<size_t>(k - 1)] * prior.std() / mean_length);
         Eigen::VectorXd stds = Eigen::VectorXd::Constant(count, widths.back());
         stds(0) = mean_width * prior.std();
-        if (has_struts) {
-            stds(of_struts) = strut_width * prior.std();
+        if (at.struts >= 0) {
+            stds(at.struts) = strut_width * prior.std();
         }
-        if (adjustable_std > 0.0) {
-            stds(count - 1) = adjustable_std;
+        if (at.adjustable >= 0) {
+            stds(at.adjustable) = trend.adjustable_std;
         }
         prior_stds.push_back(stds);
-        posteriors.push_back(is_unseen ? posterior_with_last_unseen(score, information, stds)
-                                       : posterior_of_trend(score, information, stds));
+        posteriors.push_back(is_adjustable_unseen
+                                 ? posterior_with_last_unseen(shown.score, shown.information, stds)
+                                 : posterior_of_trend(shown.score, shown.information, stds));
         log_weights(k) = posteriors.back().log_evidence +
                          std::log(k == 0 ? 1.0 - probability_of_runs
                                          : probability_of_runs / std::ssize(run_widths));
@@ -218,21 +198,70 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
     trend.prior_stds = prior_variances.cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
     const SymmetricEigen eigen = symmetric_eigen(squares - trend.mean * trend.mean.transpose());
     trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+}  // namespace
+
+LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observations,
+                     const std::vector<bool>& left_out, const Eigen::VectorXd& adjustable_stds,
+                     const LengthPrior& prior) {
+    const CableNet& net = fitted.model().net();
+    LengthTrend trend;
+    trend.adjustable_std = std::max(0.0, adjustable_width * adjustable_stds.maxCoeff());
+    trend.columns =
+        columns_of(net, left_out, trend.adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());
+    const Eigen::Index count = trend.columns.cols();
+    Places at;
+    at.adjustable = trend.adjustable_std > 0.0 ? count - 1 : -1;
+    const Eigen::Index others = count - (at.adjustable >= 0 ? 1 : 0);
+    at.struts = has_common_struts(net) ? others - 1 : -1;
+    at.runs = others - (at.struts >= 0 ? 2 : 1);
+
+    const Eigen::VectorXd variances =
+        observations.variance + fitted.model().blur.length_variances(observations.variance.size());
+    const Eigen::VectorXd weights = variances.cwiseInverse();
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * trend.columns;
+    const Linearisation::LengthResponse response =
+        fitted.linearisation.response_to_lengths(weighted);
+    Likelihood shown{
+        .score = weighted.transpose() * (fitted.iterate.deviations - observations.mean),
+        .information =
+            trend.columns.transpose() * weighted - weighted.transpose() * response.lengths};
+
+    // Non-linearity moves a mean by as much, so it is known no better; adjustable edges keep their
+    // prior where that is better.
+    const double bias = nonlinearity * prior.std();
+    const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
+    const bool has_many_edges = net.interior_edge_count() >= fewest_for_marginal_mode;
+    const bool is_adjustable_unseen =
+        at.adjustable >= 0 && (has_many_edges || trend.adjustable_std < adjustable_bias);
+    if (has_many_edges) {
+        shown.move_to_marginal_mode(fitted, observations, trend.columns, response, bias);
+    }
+    shown.blur(0, bias * bias);
+    if (at.struts >= 0) {
+        shown.blur(at.struts, bias * bias);
+    }
+    if (at.adjustable >= 0 && !is_adjustable_unseen) {
+        shown.blur(at.adjustable, adjustable_bias * adjustable_bias);
+    }
+    mix(trend, shown, at, prior, net.unstressed_lengths()(net.interior_edges()).mean(),
+        is_adjustable_unseen);
+
     // Of the sum with what nobody knows a part is the edge's own.
     const Eigen::VectorXd own = observations.variance.cwiseQuotient(variances);
     trend.length_gains = trend.columns + own.asDiagonal() * (response.lengths - trend.columns);
     trend.common_gains = response.common;
     trend.found.mean = trend.mean(0);
     trend.found.mean_std = trend.root.row(0).norm();
-    trend.found.runs = static_cast<int>(runs);
-    if (has_struts) {
-        trend.found.struts = trend.mean(of_struts);
-        trend.found.struts_std = trend.root.row(of_struts).norm();
+    trend.found.runs = static_cast<int>(at.runs);
+    if (at.struts >= 0) {
+        trend.found.struts = trend.mean(at.struts);
+        trend.found.struts_std = trend.root.row(at.struts).norm();
     }
-    if (adjustable_std > 0.0) {
-        trend.adjustable_std = adjustable_std;
-        trend.found.adjustable = trend.mean(count - 1);
-        trend.found.adjustable_std = trend.root.row(count - 1).norm();
+    if (at.adjustable >= 0) {
+        trend.found.adjustable = trend.mean(at.adjustable);
+        trend.found.adjustable_std = trend.root.row(at.adjustable).norm();
     }
     return trend;
 }

@@ -31,8 +31,7 @@ struct LengthTrend {
     [[nodiscard]] bool empty() const { return columns.cols() == 0; }
 };
 
-/// The trend that a fit without one shows. Empty where the net has so many edges that their mean is
-/// known better than the linearisation is accurate.
+/// The trend that a fit without one shows.
 /// @param left_out interior edges (m_I) of another prior
 /// @param adjustable_stds prior standard deviation of uncertain lengths of adjustable edges, else
 ///   0 (m_I) [m]

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 #include <limits>
-#include <optional>
+#include <utility>
 
 namespace taut {
 
@@ -13,16 +13,16 @@ DeterminantSlope::DeterminantSlope(const LinearisedFit& fitted, const Observatio
       m_observations(&observations),
       m_determinant(fitted.linearisation.half_log_determinant(observations)) {}
 
-double DeterminantSlope::change(const Observations& moved) const {
+double DeterminantSlope::change(const Observations& moved) {
     const Iterate there =
         m_fitted->iterate.moved(m_fitted->linearisation.step(m_fitted->iterate, moved));
-    const std::optional<Linearisation> at = linearise(m_fitted->model(), there, *m_observations);
-    return at ? at->half_log_determinant(*m_observations) - m_determinant
-              : std::numeric_limits<double>::quiet_NaN();
+    m_last = linearise(m_fitted->model(), there, *m_observations, std::move(m_last));
+    return m_last ? m_last->half_log_determinant(*m_observations) - m_determinant
+                  : std::numeric_limits<double>::quiet_NaN();
 }
 
 Observations with_marginal_mode(const LinearisedFit& fitted, Observations observations, int count) {
-    const DeterminantSlope slope(fitted, observations);
+    DeterminantSlope slope(fitted, observations);
     // A mean moved by 1 moves the parameter by its posterior variance.
     Eigen::VectorXd shift(count);
     for (int k = 0; k < count; ++k) {

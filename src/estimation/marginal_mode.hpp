@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include <optional>
 
 #include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
@@ -22,12 +22,13 @@ public:
 
     /// Change of l where the fit follows other prior means, to first order: one factorisation. NaN
     /// where there is none.
-    [[nodiscard]] double change(const Observations& moved) const;
+    [[nodiscard]] double change(const Observations& moved);
 
 private:
     const LinearisedFit* m_fitted;
     const Observations* m_observations;
     double m_determinant;
+    std::optional<Linearisation> m_last;  ///< its memory is used again
 };
 
 /// Moves the prior means of common parameters (stiffness, temperature) so that a fit to the result

@@ -76,7 +76,9 @@ std::set<int> to_supports_nearby(const FitProblem& problem, const Hypotheses& hy
     for (const int node : suspect_nodes(hypotheses)) {
         for (const int edge : problem.net.edges_at(node)) {
             const auto [s, t] = problem.net.edges()[edge];
-            if (problem.net.is_support(s == node ? t : s)) {
+            const std::vector<int>& marked = problem.knowledge.forces.slack;
+            if (std::ranges::find(marked, edge) == marked.end() &&
+                problem.net.is_support(s == node ? t : s)) {
                 result.insert(edge);
             }
         }
@@ -91,6 +93,9 @@ Explanation with_taut_edge(const FitProblem& problem, Explanation other, int edg
     if (!other.hypotheses.release_edge(edge)) {
         other.cost = std::numeric_limits<double>::infinity();
         return other;
+    }
+    if (other.is_sound() && !other.at.slack[edge]) {
+        return explain(problem, std::move(other.hypotheses), std::move(other.at), mode);
     }
     Explanation from_nominal = explain_from_nominal(problem, other.hypotheses, mode);
     const bool is_taut = from_nominal.is_sound() && !from_nominal.at.slack[edge];

@@ -12,6 +12,7 @@
 #include "estimation/feasible_descent.hpp"
 #include "estimation/hamiltonian_chain.hpp"
 #include "estimation/imagined_observations.hpp"
+#include "estimation/marginal_mode.hpp"
 #include "estimation/prestress_shift.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
@@ -609,8 +610,10 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
         return pilot;
     }
     Eigen::VectorXd length_shift;
-    // Only where loads at nodes are uncertain: by measurement, docs/theory.md.
-    if (std_of(m_knowledge.uncertain, UncertainParameter::Kind::loads_each) > 0.0) {
+    // Only where loads at nodes are uncertain: by measurement, docs/theory.md. Of more edges the
+    // fit was moved.
+    if (std_of(m_knowledge.uncertain, UncertainParameter::Kind::loads_each) > 0.0 &&
+        m_net.interior_edge_count() < fewest_for_marginal_mode) {
         length_shift = move_sites(refit_all, progress);
         draws.clear();
     }

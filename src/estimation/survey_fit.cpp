@@ -44,11 +44,8 @@ Explanation from_coarse_to_fine(const FitProblem& problem, Hypotheses hypotheses
     from.slack = Assumed(problem, hypotheses).as_seen(std::move(from.slack));
     const auto refine = [&](double inflation) {
         const FitMode mode{.inflation = inflation, .is_rounded = is_rounded};
-        const auto measured = [&](const Hypotheses& by) {
-            return Assumed(problem, by).measured_slack(inflation);
-        };
         FitState start = from;
-        start.slack = measured(hypotheses);
+        start.slack = Assumed(problem, hypotheses).measured_slack(inflation);
         Explanation found = explain(problem, std::move(hypotheses), std::move(start), mode);
         if (!found.converged) {
             const Assumed assumed(problem, found.hypotheses);
@@ -111,6 +108,7 @@ void linearise_there(const FitProblem& problem, Explanation& best) {
     model.slack = assumed.as_seen(std::vector<bool>(problem.net.edge_count(), false));
     if (best.linearisation != nullptr) {
         model.corner_width = best.linearisation->model().corner_width;
+        best.linearisation.reset();  // no two factors at once
     }
     LinearisedFit there = linearised_fit(model, best.at.iterate, assumed.observations());
     best.linearisation = std::make_shared<Linearisation>(std::move(there.linearisation));

@@ -13,9 +13,10 @@ namespace taut {
 /// covariance linearised at the result.
 struct SurveyFit {
     LinearisedFit at;
-    bool converged = false;     ///< lengths and form no longer moved
-    double cost = 0.0;          ///< Explanation::cost; infinite where nothing converged
-    bool contradicts_too_many;  ///< more targets contradict the others than can have gross errors
+    bool converged = false;  ///< lengths and form no longer moved
+    double cost = 0.0;       ///< Explanation::cost; infinite where nothing converged
+    bool contradicts_too_many =
+        false;                  ///< more targets contradict the others than can have gross errors
     Hypotheses hypotheses;      ///< with their tests at the result
     PriorKnowledge knowledge;   ///< as given, with the priors of released edges widened
     Observations observations;  ///< the targets and force measurements in use and the prior

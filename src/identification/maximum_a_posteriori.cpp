@@ -326,19 +326,18 @@ void leave_out_released(Identification& result) {
 }
 
 /// (marginal-mode), where so many edges make a difference.
-void move_to_marginal_mode(SurveyFit& fit, LinearisedFit& fitted,
-                           const SurveyFitSettings& settings) {
-    const StaticsModel model = fitted.model();
+void move_to_marginal_mode(SurveyFit& fit, const SurveyFitSettings& settings) {
+    const StaticsModel model = fit.at.model();
     const int count = model.common.kept_count() - (model.common.has_frame() ? 6 : 0);
     if (model.net().interior_edge_count() < fewest_for_marginal_mode || count == 0) {
         return;
     }
-    Observations moved = with_marginal_mode(fitted, fit.observations, count);
-    GaussNewtonResult found = gauss_newton(model, moved, fitted.iterate, fit.tolerance,
+    Observations moved = with_marginal_mode(fit.at, fit.observations, count);
+    GaussNewtonResult found = gauss_newton(model, moved, fit.at.iterate, fit.tolerance,
                                            settings.max_iterations, settings.progress);
     if (found.converged) {
         Covariance covariance = found.linearisation->covariance();
-        fitted = {std::move(found.iterate), *std::move(found.linearisation), std::move(covariance)};
+        fit.at = {std::move(found.iterate), *std::move(found.linearisation), std::move(covariance)};
         fit.observations = std::move(moved);
     }
 }
@@ -380,12 +379,12 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         }
     }
     const PriorKnowledge& knowledge = fit.knowledge;
-    LinearisedFit fitted = std::move(fit.at);
-    Diagnostics shown;
     if (fit.converged) {
-        move_to_marginal_mode(fit, fitted, fitting);
+        move_to_marginal_mode(fit, fitting);
     }
+    LinearisedFit fitted = std::move(fit.at);
     Observations observations = fit.observations;
+    Diagnostics shown;
     if (fit.converged) {
         const StaticsModel model = fitted.model();
         const Iterate at = fitted.iterate;
