@@ -46,10 +46,10 @@ struct Given {
         : prior(of_lengths), uncertain(std::move(parameters)), forces(std::move(measured)) {}
 };
 
-/// Maximum a posteriori under the statics: fit_survey(), then the posterior mean by propagate_prior().
-/// Standard deviations are those of the posterior linearised at the result (Laplace), cut by the
-/// prior itself (posterior_of()). An exact survey of all nodes is identified by the balance, unless
-/// more than lengths is uncertain or forces are given.
+/// Maximum a posteriori under the statics: fit_survey(), then the posterior mean by
+/// propagate_prior(). Standard deviations are those of the posterior linearised at the result
+/// (Laplace), cut by the prior itself (posterior_of()). An exact survey of all nodes is identified
+/// by the balance, unless more than lengths is uncertain or forces are given.
 /// @throws std::invalid_argument as fit_survey(), check_uncertain_parameters()
 /// @throws std::runtime_error where the statics are singular at the surveyed form
 [[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_maximum_a_posteriori(
