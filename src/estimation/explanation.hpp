@@ -28,8 +28,8 @@ struct SurveyFitSettings {
 struct FitProblem {
     /// @throws std::invalid_argument for settings out of range, and as check_forces()
     /// @throws SurveyError as check_survey()
-    FitProblem(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
-               const SurveyFitSettings& settings);
+    FitProblem(const CableNet& of, const Survey& survey_of_it, const PriorKnowledge& known,
+               const SurveyFitSettings& given);
 
     const CableNet& net;
     SurveyFitSettings settings;
