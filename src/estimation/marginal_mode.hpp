@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// Nets of fewer uncertain lengths need it not: by measurement, docs/theory.md (marginal-mode).
+/// From so many uncertain lengths on. The intervals of fewer hold without it, docs/theory.md.
 inline constexpr int fewest_for_marginal_mode = 700;
 
 /// The slope of l, half the logarithm of the determinant of a fit, by prior means: by Laplace's

@@ -109,7 +109,8 @@ struct Diagnostics {
     Eigen::VectorXd adjustable_stds;  ///< prior std of adjustable edges as built, else 0 (m_I)
 };
 
-/// (common-mean): score and information of a shift of the prior.
+/// (common-mean): score and information of a shift of the prior. None where (marginal-mode) moves
+/// it farther than a linearisation holds.
 void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations& observations,
               const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();
@@ -125,6 +126,18 @@ void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations
     if (information > rounding * weights.sum()) {
         check.mean = weights.dot(fitted.iterate.deviations - observations.mean) / information;
         check.mean_std = 1.0 / std::sqrt(information);
+        if (weights.size() >= fewest_for_marginal_mode) {
+            constexpr double farthest = 4.0;  // standard deviations of the prior
+            const double h = 0.1 * check.checked.std();
+            Observations moved = observations;
+            moved.mean.array() += h * (weights.array() > 0.0).cast<double>();
+            const double by_mode =
+                DeterminantSlope(fitted, observations).change(moved) / h / information;
+            if (!(std::abs(by_mode) < farthest * check.checked.std())) {
+                check.mean = 0.0;
+                check.mean_std = 0.0;
+            }
+        }
     }
 }
 
