@@ -35,7 +35,6 @@ constexpr double corner_in_noise = 0.3;
 constexpr double corner_factor = 0.3;
 constexpr double small_decrement = 0.01;
 constexpr double decrement_on_the_way = 0.3;
-constexpr int most_descents = 60;
 
 /// @return the settings, after all input of a fit was checked
 SurveyFitSettings checked(const CableNet& net, const Survey& survey,

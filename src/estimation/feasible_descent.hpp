@@ -6,6 +6,9 @@
 
 namespace taut {
 
+/// Enough where many edges may be slack: hypar:40x40 with lengths uniform:1mm needs some 100.
+inline constexpr int most_descents = 200;
+
 /// The search for cases where gauss_newton() does not converge: damped steps (K. Levenberg 1944, D.
 /// Marquardt 1963) from one form and lengths in equilibrium to the next, each of which lowers the
 /// objective of docs/theory.md (map):

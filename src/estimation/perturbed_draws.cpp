@@ -29,7 +29,6 @@ constexpr int pilot_draws = 10;
 constexpr double largest_departure = 0.3;
 constexpr double most_left_out = 0.02;
 
-constexpr int most_descents_a_draw = 60;
 constexpr double decrement_of_draw = 0.05;
 
 constexpr double corner_of_draws = 0.3;  ///< as in fit()
@@ -217,9 +216,8 @@ std::optional<Perturbation::Fit> Perturbation::refitted(const Observations& obse
     std::optional<Fit> found;
     for (const double part : blurs_of_draws) {
         model.blur.strain_stds = part * m_refit_model.blur.strain_stds;
-        GaussNewtonResult fit =
-            feasible_descent(model, observations, start, decrement_of_draw, most_descents_a_draw,
-                             {}, std::move(workspace.last));
+        GaussNewtonResult fit = feasible_descent(model, observations, start, decrement_of_draw,
+                                                 most_descents, {}, std::move(workspace.last));
         workspace.last = std::move(fit.linearisation);
         if (!fit.converged) {
             break;
@@ -638,7 +636,7 @@ bool PerturbedDraws::differs() const {
 }
 
 bool can_be_fitted(const CableNet& net) {
-    constexpr int most_edges = 2000;
+    constexpr int most_edges = 5000;
     return net.interior_edge_count() <= most_edges;
 }
 

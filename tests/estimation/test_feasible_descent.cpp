@@ -69,8 +69,8 @@ struct Weak {
 
 TEST(FeasibleDescent, EndsAtAFormInEquilibrium) {
     const Weak weak(1);
-    const GaussNewtonResult found =
-        feasible_descent(weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, 200);
+    const GaussNewtonResult found = feasible_descent(
+        weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, most_descents);
     ASSERT_TRUE(found.converged);
     const Iterate exact = weak.balanced(found.iterate);
     EXPECT_LT((exact.form - found.iterate.form).cwiseAbs().maxCoeff(), 1e-2 * noise_std);
@@ -80,8 +80,8 @@ TEST(FeasibleDescent, EndsAtAFormInEquilibrium) {
 TEST(FeasibleDescent, EndsWhereNoLengthLowersTheObjective) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const Weak weak(seed);
-        const GaussNewtonResult found =
-            feasible_descent(weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, 200);
+        const GaussNewtonResult found = feasible_descent(
+            weak.model(), weak.observed, nominal_iterate(weak.net), 1e-3, most_descents);
         ASSERT_TRUE(found.converged);
         const double lowest = weak.objective(weak.balanced(found.iterate));
         for (int i = 0; i < weak.net.interior_edge_count(); ++i) {

@@ -595,6 +595,20 @@ TEST(Diagnostics, OfManyEdgesKeepWhatTheyShare) {
     EXPECT_LT(std::abs(mean_error), 0.15e-3);
 }
 
+// Some 100 steps to the fit where many edges may be slack.
+TEST(Diagnostics, AreOfAFitWhereManyEdgesMayBeSlack) {
+    const LengthPrior wide{LengthPrior::Kind::uniform, 15e-3};
+    const CableNet saddle = hypar(9, 9);
+    SimulatedSurvey s = survey_of(saddle, wide, 52);
+    for (size_t i = 2; i < saddle.free_nodes().size(); i += 5) {
+        hide(saddle, s.survey, saddle.free_nodes()[i]);
+    }
+    const Identification result =
+        identify(saddle, s.survey, {.prior = wide, .assume_site = true, .draws = 0});
+    EXPECT_EQ(result.status, IdentificationStatus::converged);
+    EXPECT_GT(coverage(result, s.deviations), 0.9);
+}
+
 // Steps that damping of the lengths alone does not shorten.
 TEST(Diagnostics, ReportTensionsWhereEdgesMayBeSlack) {
     const LengthPrior wide{LengthPrior::Kind::uniform, 7e-3};
