@@ -67,10 +67,10 @@ Group length_group(const LinearisedFit& fitted, const Observations& observations
     return group;
 }
 
-}  // namespace
-
-VarianceComponents estimate_components(LinearisedFit& fitted, Observations& observations,
-                                       const std::vector<bool>& left_out) {
+/// Repeats the linearised fit with scaled standard deviations until each group is as wide as they.
+/// @param noise_too else the scale of the noise is kept
+VarianceComponents scaled_to_fit(LinearisedFit& fitted, Observations& observations,
+                                 const std::vector<bool>& left_out, bool noise_too) {
     VarianceComponents result;
     const StaticsModel model = fitted.model();
     for (int round = 0; round < most_scalings; ++round) {
@@ -80,7 +80,7 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
             result.noise.std = noise.ratio_std();
             result.lengths.std = lengths.ratio_std();
         }
-        const double noise_scaling = noise.scaling();
+        const double noise_scaling = noise_too ? noise.scaling() : 1.0;
         const double length_scaling = lengths.scaling();
         result.noise.ratio *= noise.ratio() > 0.0 ? noise_scaling : 0.0;
         result.lengths.ratio *= lengths.ratio() > 0.0 ? length_scaling : 0.0;
@@ -102,6 +102,26 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
             break;
         }
         fitted = *std::move(next);
+    }
+    return result;
+}
+
+}  // namespace
+
+VarianceComponents estimate_components(LinearisedFit& fitted, Observations& observations,
+                                       const std::vector<bool>& left_out) {
+    const StaticsModel model = fitted.model();
+    const Iterate at = fitted.iterate;
+    Observations held = observations;
+    VarianceComponents result = scaled_to_fit(fitted, observations, left_out, true);
+    if (result.noise.is_contradicted()) {  // (held-noise)
+        LinearisedFit again = linearised_fit(model, at, held);
+        (void)scaled_to_fit(again, held, left_out, false);
+        const Group noise = noise_group(again, held);
+        constexpr double least = 0.1;
+        const double statistic = std::abs(noise.ratio() - 1.0) / noise.ratio_std();
+        result.noise.std = std::max(result.noise.std, std::abs(result.noise.ratio - 1.0) /
+                                                          std::max(least, statistic));
     }
     return result;
 }

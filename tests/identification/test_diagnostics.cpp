@@ -79,6 +79,15 @@ TEST(Diagnostics, PassesWhatIsTrue) {
     }
 }
 
+// Scaled together, noise and lengths are traded for one another: (held-noise).
+TEST(Diagnostics, AccuseNoTrueNoise) {
+    const CableNet saddle = hypar(9, 9);
+    const SimulatedSurvey s = survey_of(saddle, {LengthPrior::Kind::uniform, 0.5e-3}, 48);
+    const Identification result = identify(saddle, s.survey, {.assume_site = true, .draws = 0});
+    EXPECT_LT(result.scales.noise.ratio, 0.8);
+    EXPECT_FALSE(finds(result, Kind::survey_noise));
+}
+
 class MisCut : public testing::TestWithParam<IdentificationMethod> {};
 
 TEST_P(MisCut, CablesAreNamedAndIdentifiedByTheSurveyAlone) {

@@ -27,11 +27,11 @@ using namespace taut::test;
 constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.002};
 constexpr double noise = 0.5e-3;
 
-CableNet loaded_net() {
+CableNet loaded_net(double load = -60.0) {
     CableNetData data = hypar(5, 5).data();
     const auto edges = static_cast<Eigen::Index>(data.edges.size());
     data.loads = Points::Zero(3, data.nodes.cols());
-    data.loads.row(2).setConstant(-60.0);
+    data.loads.row(2).setConstant(load);
     data.expansion = Eigen::VectorXd::Constant(edges, 1.2e-5);
     const CableNet draft{CableNetData(data)};
     data.nodes = solve_equilibrium(draft).form;
@@ -305,6 +305,32 @@ TEST(UncertainParameter, ThatIsAsGoodAsKnownChangesNothing) {
                     0.02 * as_known.edges[i].std);
         EXPECT_NEAR(found.edges[i].std, as_known.edges[i].std, 0.02 * as_known.edges[i].std);
     }
+}
+
+// A form shows the ratio of tensions to loads: all tensions are as uncertain as the loads are.
+TEST(UncertainParameter, LoadsOfASiteAreUncertain) {
+    const CableNet net = loaded_net(-4000.0);
+    CableNetData heavier = net.data();
+    heavier.loads *= 1.05;
+    const CableNet changed(std::move(heavier));
+    const SimulatedSurvey s = simulate(changed, prior, noise, 3);
+    const Eigen::VectorXd truth =
+        tensions(changed, with_length_deviations(changed, s.deviations), s.truth.form);
+    const auto inside = [&](const std::vector<UncertainParameter>& uncertain) {
+        IdentifyOptions options = options_with(uncertain, 40);
+        options.assume_site = uncertain.empty();
+        const Identification found = identify(net, s.survey, options);
+        EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
+        return std::ranges::count_if(found.drawn.tensions, [&](const DrawnTension& one) {
+            return one.tension.lower <= truth(one.edge) && truth(one.edge) <= one.tension.upper;
+        });
+    };
+    EXPECT_GT(inside({}), 0.9 * net.edge_count());
+    std::vector<UncertainParameter> exact = with_site_assumptions(net, {});
+    std::erase_if(exact, [](const UncertainParameter& one) {
+        return one.kind == UncertainParameter::Kind::loads;
+    });
+    EXPECT_LT(inside(exact), 0.8 * net.edge_count());
 }
 
 // Of a net without loads the form shows no level of all stiffnesses: it is reported as not

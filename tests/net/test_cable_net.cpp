@@ -68,6 +68,23 @@ TEST(CableNet, WeighsAsMuchAsItsUnstressedLengthsWhereverNodesAreDrawn) {
     EXPECT_EQ(CableNet(std::move(data)).loads(), net.loads());
 }
 
+TEST(CableNet, SagsByItsMassesAcrossTheChordOfCablesWithoutATensionLaw) {
+    CableNetData data = test::two_node_net_data();
+    data.nodes.col(0).z() += 3.0;
+    data.mass = Eigen::VectorXd::LinSpaced(5, 1.0, 3.0);
+    const auto& [s, t] = data.edges[0];
+    const Eigen::Vector3d chord = data.nodes.col(s) - data.nodes.col(t);
+    EXPECT_NEAR(sag_weights_by_mass(data)(0), gravity * chord.head<2>().norm() / chord.norm(),
+                1e-9);
+    data.tension_law = {-1, -1, 0, -1, -1};
+    data.kind.assign(5, EdgeKind::cable);
+    data.kind[1] = EdgeKind::strut;
+    EXPECT_EQ(sag_weights_by_mass(data)(1), 0.0);
+    EXPECT_EQ(equal_sag_weights(data, 3.0), Eigen::VectorXd({{3.0, 0.0, 0.0, 3.0, 3.0}}));
+    data.mass.resize(0);
+    EXPECT_THROW((void)sag_weights_by_mass(data), std::invalid_argument);
+}
+
 TEST(CableNet, FindsNodesAndEdgesByTheirNames) {
     const CableNet net(test::two_node_net_data());
     EXPECT_EQ(net.node_id(3), "b");

@@ -156,6 +156,8 @@ RC_GTEST_PROP(SaggingLaw, EnergyIsTheIntegralOfTheTension, ()) {
     RC_ASSERT(std::abs(it.energy_between(a, b) - sum) < 1e-5 * scale + 1e-12 * to);
     RC_ASSERT(std::abs(it.energy_between(a, b) + it.energy_between(b, a)) <= 1e-12 * scale);
     RC_ASSERT(it.corner_energy(std::min(a, b), std::max(a, b)) >= -1e-12 * scale);  // convex
+    RC_ASSERT(std::abs(it.corner_energy(a, b) + sum - 0.5 * (from + to) * (b - a)) <
+              1e-5 * scale + 1e-12 * to);
 }
 
 TEST(SaggingLaw, IsSofterByErnstsFactorAndScaledWithoutItsSag) {

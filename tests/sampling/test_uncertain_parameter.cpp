@@ -124,7 +124,9 @@ TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
               "stiffness:5%, stiffness-each:2%, adjustable:0.5mm, supports:1mm");
     data.expansion = Eigen::VectorXd::Constant(std::ssize(data.edges), 12e-6);
     data.groups = {{"ridge", {0, 1}}};
+    data.loads = Points::Constant(3, data.nodes.cols(), -20.0);
     const CableNet net(data);
+    EXPECT_EQ(std_of(with_site_assumptions(net, {}), UncertainParameter::Kind::loads), 0.05);
     EXPECT_EQ(
         to_string(with_site_assumptions(net, {parse_uncertain_parameter("loads:20N"),
                                               parse_uncertain_parameter("stiffness:10%@ridge")})),

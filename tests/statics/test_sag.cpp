@@ -143,20 +143,6 @@ TEST(Sag, MovesWithLengthsAndStiffnessAsTheSensitivityHasIt) {
     }
 }
 
-TEST(Sag, IsThatOfTheMassesAcrossTheChord) {
-    CableNetData data = heavy();
-    const Eigen::VectorXd weights = sag_weights_by_mass(data);
-    const Eigen::Vector3d chord = data.nodes.col(0) - data.nodes.col(6);
-    EXPECT_NEAR(weights(5), 60.0 * chord.head<2>().norm() / chord.norm(), 1e-9);
-    data.kind.assign(data.edges.size(), EdgeKind::cable);
-    data.kind[5] = EdgeKind::strut;
-    EXPECT_EQ(sag_weights_by_mass(data)(5), 0.0);
-    EXPECT_EQ(equal_sag_weights(data, 3.0)(5), 0.0);
-    EXPECT_EQ(equal_sag_weights(data, 3.0)(4), 3.0);
-    data.mass.resize(0);
-    EXPECT_THROW((void)sag_weights_by_mass(data), std::invalid_argument);
-}
-
 TEST(Sag, OfAVeryLightCableIsThatOfAStraightOne) {
     CableNetData data = sagging().data();
     data.sag_weight.setConstant(1e-6);

@@ -58,7 +58,9 @@ TEST(VibrationRecord, LeavesOutTheMagnitudeOfTheOtherColumns) {
     signals << slow_sine(time), slow_sine(1.7 * time), Eigen::VectorXd::Zero(time.size());
     EXPECT_EQ(evenly_sampled(time, signals).signals.cols(), 3);
     signals.col(2) = signals.leftCols(2).rowwise().norm();
-    EXPECT_EQ(evenly_sampled(time, signals).signals, signals.leftCols(2));
+    const Eigen::MatrixXd found = evenly_sampled(time, signals).signals;
+    ASSERT_EQ(found.cols(), 2);
+    EXPECT_EQ(found, signals.leftCols(2));
 }
 
 TEST(VibrationRecord, NamesTheFirstSampleThatIsNone) {
