@@ -211,13 +211,16 @@ std::optional<Perturbation::Fit> Perturbation::followed(const Observations& obse
 
 std::optional<Perturbation::Fit> Perturbation::refitted(const Observations& observations,
                                                         Workspace& workspace) const {
+    // A sample that takes more is far from normal: chains follow it.
+    constexpr int most_before_chains = 60;
+    const int most = can_be_chained(m_net) ? most_before_chains : most_descents;
     Iterate start = m_all_taut;
     StaticsModel model = m_refit_model;
     std::optional<Fit> found;
     for (const double part : blurs_of_draws) {
         model.blur.strain_stds = part * m_refit_model.blur.strain_stds;
         GaussNewtonResult fit = feasible_descent(model, observations, start, decrement_of_draw,
-                                                 most_descents, {}, std::move(workspace.last));
+                                                 most, {}, std::move(workspace.last));
         workspace.last = std::move(fit.linearisation);
         if (!fit.converged) {
             break;

@@ -114,7 +114,7 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
     const Iterate at = fitted.iterate;
     Observations held = observations;
     VarianceComponents result = scaled_to_fit(fitted, observations, left_out, true);
-    if (result.noise.is_contradicted()) {  // (held-noise)
+    if (result.noise.ratio < 1.0 && result.noise.is_contradicted()) {  // (held-noise)
         LinearisedFit again = linearised_fit(model, at, held);
         (void)scaled_to_fit(again, held, left_out, false);
         const Group noise = noise_group(again, held);
