@@ -73,6 +73,7 @@ class Net:
         self.adjustable = np.array(data.get("adjustable", np.flatnonzero(at_supports)))
         self.interior = np.setdiff1d(np.arange(count), self.adjustable)
         self.is_strut = np.array(data.get("kind", ["cable"] * count)) == "strut"
+        self.load_factor = 1.0
         self.alter = alter or (lambda deviations, nodes, random: None)
         self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
         strain = self.spans(self.nodes) / self.lengths - 1
@@ -124,7 +125,7 @@ class Net:
         deviations = np.zeros(count)
         deviations[self.interior] = drawn(prior, len(self.interior), random)
         self.alter(deviations, nodes, random)
-        built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
+        built = dict(self.data, nodes=nodes.tolist(), loads=(self.load_factor * loads).tolist(), adjustable=self.adjustable.tolist())
         built["axial_stiffness"] = (self.stiffness * factor).tolist()
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
         built["unstressed_lengths"] = lengths.tolist()

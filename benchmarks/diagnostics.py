@@ -92,6 +92,16 @@ def softer(part):
     return alter
 
 
+def heavier(part):
+    """Loads of all nodes, not self-weight, larger by a part."""
+
+    def alter(net, deviations, nodes, random):
+        net.load_factor = 1 + part
+        return set()
+
+    return alter
+
+
 def softer_group(part):
     """EA of the cables of one direction lower by a part."""
 
@@ -227,6 +237,8 @@ CASES = [
       for n in (20, 40, 160)],
     Case("steel-roof, uniform:2mm: 30 K warmer", truth="uniform:2mm", given="uniform:2mm", alter=warmer(30.0),
          net="steel-roof"),
+    *[Case(f"steel-roof, uniform:2mm: loads {percent} % heavier", truth="uniform:2mm", given="uniform:2mm",
+           alter=heavier(percent / 100), net="steel-roof") for percent in (5, 10)],
     Case("lengths uniform:7mm", truth="uniform:7mm", given="uniform:5mm"),
     Case("lengths normal:2.9mm", truth="normal:2.9mm", given="uniform:5mm"),
     Case("lengths bimodal:4mm", truth="bimodal:4mm", given="uniform:5mm"),

@@ -23,8 +23,8 @@ void set_snooping(Identification& result, const Survey& survey, const Hypotheses
         const bool is_by_digits =
             survey.rounding_std > 0.0 && survey.largest_noise_std() < 1.01 * survey.rounding_std;
         result.message = fmt::format(
-            "{} of {} targets contradict the others. Check net, frame, prior and the standard "
-            "deviation of the survey ({:.3g} mm{})",
+            "{} of {} targets contradict the others. Check net, loads, frame, prior and the "
+            "standard deviation of the survey ({:.3g} mm{})",
             result.outliers.size(), survey.surveyed.size() + survey.supports.size(),
             1e3 * survey.largest_noise_std(),
             is_by_digits ? ", from the digits of the coordinates alone: give that of the "

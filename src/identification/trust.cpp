@@ -285,8 +285,8 @@ private:
             finding.next = fmt::format(
                 "{}{}",
                 noise.ratio > 1.0
-                    ? "Check the frame, and whether targets stand off the cables (offset). If both "
-                      "are right: "
+                    ? "Check the frame, whether targets stand off the cables (offset), and whether "
+                      "loads or weights are missing. If all is right: "
                     : "",
                 m_survey.has_own_noise ? "let taut scale the standard deviations of the file."
                                        : "use this standard deviation.");
@@ -563,8 +563,8 @@ private:
                              ? "It is at an elastic support. If that stands elsewhere without "
                                "load, or its stiffness is not as given, it would look the same: "
                                "check both."
-                         : is_far ? "A cable, turnbuckle or support at it that is not as designed "
-                                    "would look the same: check both."
+                         : is_far ? "A cable, turnbuckle, support or load at it that is not as "
+                                    "designed would look the same: check them."
                                   : ""});
         }
         constexpr size_t by_chance = 3;
@@ -577,7 +577,7 @@ private:
                  .reason = fmt::format("{} of the targets left out are next to each other: {}.",
                                        adjacent.size(), and_more(adjacent)),
                  .next = "More likely than these targets, something near them is not as designed: "
-                         "check turnbuckles, supports and cables there."});
+                         "check turnbuckles, supports, cables and loads there."});
         }
     }
 
