@@ -26,7 +26,7 @@ namespace {
 const std::string uncertain_text =
     "What is uncertain besides the lengths, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
     "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, "
-    "loads:20N (of each node), loads:10% (one factor), forces:1% (one of all load cells), mass:3% "
+    "loads:5% (one factor), loads:20N (of each node), forces:1% (one of all load cells), mass:3% "
     "(one factor), test-loads:2% (of --epoch), support-stiffness:10% (of elastic supports), "
     "creep:0.01% (strain from one survey to the next, with --epoch); GROUP "
     "is a group of edges of the net. May be "
@@ -239,7 +239,8 @@ LengthPrior prior_for(const CableNet& net, const std::string& text, const std::s
 }
 
 const char* const assumes_site =
-    ". Those not given are assumed with these widths, except loads; none: what is "
+    ". Those not given are assumed with these widths, except loads of each node and creep; none: "
+    "what is "
     "not given is exact";
 
 CLI::Option* add_uncertain_option(CLI::App& command, UncertainOptions& options,

@@ -8,6 +8,7 @@
 
 #include "../identification/simulated_survey.hpp"
 #include "estimation/boundary_tests.hpp"
+#include "estimation/frame_check.hpp"
 #include "estimation/survey_fit.hpp"
 #include "taut/design/builtin_nets.hpp"
 
@@ -56,6 +57,21 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
     EXPECT_NEAR(estimate, found[0].deviation.x(), 0.1 * off);
     EXPECT_NEAR(std, found[0].std.x(), 0.1 * std);
     EXPECT_NEAR(found[0].deviation.x(), off, 4.0 * found[0].std.x());
+}
+
+TEST(FrameCheck, FindsTheScaleAndTheMotionOfASurvey) {
+    const CableNet net = hypar(6, 6);
+    SimulatedSurvey s = simulate(net, prior, noise, 3);
+    const Eigen::Vector3d middle = net.nodes().rowwise().mean();
+    const Points arms = s.survey.form.colwise() - middle;
+    s.survey.form += 0.004 * arms;
+    s.survey.form.row(1).array() += 0.005;
+    const SurveyFit fit = fit_survey(net, s.survey, PriorKnowledge(net, prior), {});
+    const FrameCheck check = check_frame(fit.at, fit.observations, 1.0);
+    EXPECT_NEAR(check.scale, 0.004, 4.0 * check.scale_std);
+    EXPECT_LT(check.scale_std, 0.001);
+    EXPECT_NEAR(check.translation.y(), 0.005, 2e-3);
+    EXPECT_TRUE(check.is_moved());
 }
 
 // Differences of the fitted misfit by the number: what a survey larger by a part would gain.
