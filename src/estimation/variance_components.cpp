@@ -120,8 +120,8 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
         const Group noise = noise_group(again, held);
         constexpr double least = 0.1;
         const double statistic = std::abs(noise.ratio() - 1.0) / noise.ratio_std();
-        result.noise.std = std::max(result.noise.std, std::abs(result.noise.ratio - 1.0) /
-                                                          std::max(least, statistic));
+        result.noise.std = std::max(
+            result.noise.std, std::abs(result.noise.ratio - 1.0) / std::max(least, statistic));
     }
     return result;
 }
