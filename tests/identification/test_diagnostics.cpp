@@ -537,7 +537,7 @@ TEST(Diagnostics, OfATargetFarOffSaysWhatElseItMayBe) {
     const Identification result = identified(s.survey, prior);
     ASSERT_EQ(result.outliers.size(), 1U);
     EXPECT_TRUE(std::ranges::any_of(result.trust.findings, [](const Trust::Finding& finding) {
-        return finding.next.find("A cable, turnbuckle or support at it") != std::string::npos;
+        return finding.next.find("A cable, turnbuckle, support or load at it") != std::string::npos;
     }));
 }
 
