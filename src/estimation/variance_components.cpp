@@ -119,7 +119,8 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
         (void)scaled_to_fit(again, held, left_out, false);
         const Group noise = noise_group(again, held);
         constexpr double least = 0.1;
-        const double statistic = std::abs(noise.ratio() - 1.0) / noise.ratio_std();
+        const double statistic =
+            noise.ratio() > 0.0 ? std::abs(noise.ratio() - 1.0) / noise.ratio_std() : 0.0;
         result.noise.std = std::max(
             result.noise.std, std::abs(result.noise.ratio - 1.0) / std::max(least, statistic));
     }
