@@ -35,10 +35,16 @@ CommonParameters::CommonParameters(const CableNet& net,
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
     m_load_rates.assign(count(), Points(3, 0));
+    // Each load has one error: of the mass, of the known loads of a survey, or of all others.
+    const bool is_mass_uncertain = std_of(uncertain, UncertainParameter::Kind::mass) > 0.0;
+    Points other_loads = is_mass_uncertain ? net.data().loads : net.loads();
+    if (test_loads.cols() > 0) {
+        other_loads -= test_loads;
+    }
     for (int k = 0; k < static_cast<int>(m_uncertain.size()); ++k) {
         const UncertainParameter& parameter = m_uncertain[k];
         if (parameter.kind == UncertainParameter::Kind::loads) {
-            m_load_rates[k] = parameter.std * net.loads();
+            m_load_rates[k] = parameter.std * other_loads;
         } else if (parameter.kind == UncertainParameter::Kind::mass) {
             m_load_rates[k] = parameter.std * self_weight(net);
         } else if (parameter.kind == UncertainParameter::Kind::test_loads) {

@@ -120,9 +120,10 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
         const Group noise = noise_group(again, held);
         constexpr double least = 0.1;
         const double statistic =
-            noise.ratio() > 0.0 ? std::abs(noise.ratio() - 1.0) / noise.ratio_std() : 0.0;
-        result.noise.std = std::max(
-            result.noise.std, std::abs(result.noise.ratio - 1.0) / std::max(least, statistic));
+            noise.ratio() > 0.0 ? (1.0 - noise.ratio()) / noise.ratio_std() : 0.0;
+        if (statistic < significant_std) {
+            result.noise.std = (1.0 - result.noise.ratio) / std::max(least, statistic);
+        }
     }
     return result;
 }

@@ -311,7 +311,7 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     }
     assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
     assume(Kind::support_stiffness, net.elastic_supports().empty() ? 0.0 : of_supports);
-    assume(Kind::loads, net.data().loads.isZero(0.0) ? 0.0 : of_loads);
+    assume(Kind::loads, net.data().loads.isZero(0.0) || net.loads().isZero(0.0) ? 0.0 : of_loads);
     assume(Kind::forces, forces.by_cells ? of_cells : 0.0);
     const Eigen::VectorXd& mass = net.data().mass;
     assume(Kind::mass, mass.size() > 0 && !mass.isZero(0.0) ? of_mass : 0.0);

@@ -86,6 +86,10 @@ TEST(Diagnostics, AccuseNoTrueNoise) {
     const Identification result = identify(saddle, s.survey, {.assume_site = true, .draws = 0});
     EXPECT_LT(result.scales.noise.ratio, 0.8);
     EXPECT_FALSE(finds(result, Kind::survey_noise));
+    Survey too_large = s.survey;
+    too_large.noise_std *= 3.0;
+    EXPECT_TRUE(
+        finds(identify(saddle, too_large, {.assume_site = true, .draws = 0}), Kind::survey_noise));
 }
 
 class MisCut : public testing::TestWithParam<IdentificationMethod> {};

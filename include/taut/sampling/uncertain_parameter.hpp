@@ -21,7 +21,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
         temperature,     ///< one deviation from the design temperature, common to edges [K]
         supports,        ///< each coordinate of each support, of elastic ones without load [m]
         adjustable,      ///< the unstressed length of each adjustable edge [m]
-        loads,           ///< one relative deviation of all loads
+        loads,           ///< one relative deviation of all loads but an uncertain self-weight
         loads_each,      ///< each coordinate of the load on each free node [N]
         forces,          ///< one relative error of all load cells
         mass,            ///< one relative error of the mass of all edges: of their self-weight, and
