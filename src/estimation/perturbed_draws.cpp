@@ -211,7 +211,7 @@ std::optional<Perturbation::Fit> Perturbation::followed(const Observations& obse
 
 std::optional<Perturbation::Fit> Perturbation::refitted(const Observations& observations,
                                                         Workspace& workspace) const {
-    // A sample that takes more is far from normal: chains follow it.
+    // A sample that takes more is far from normal: chains can follow it.
     constexpr int most_before_chains = 60;
     const int most = can_be_chained(m_net) ? most_before_chains : most_descents;
     Iterate start = m_all_taut;

@@ -75,7 +75,7 @@ struct PerturbedDraws {
 /// lengths are uncertain, no struts.
 [[nodiscard]] bool can_be_chained(const CableNet& net);
 
-/// Whether draws are fitted by themselves in seconds: some ten factorisations each.
+/// Whether draws are fitted by themselves in a minute: up to 5000 interior edges.
 [[nodiscard]] bool can_be_fitted(const CableNet& net);
 
 }  // namespace taut
