@@ -240,8 +240,7 @@ LengthPrior prior_for(const CableNet& net, const std::string& text, const std::s
 
 const char* const assumes_site =
     ". Those not given are assumed with these widths, except loads of each node and creep; none: "
-    "what is "
-    "not given is exact";
+    "what is not given is exact";
 
 CLI::Option* add_uncertain_option(CLI::App& command, UncertainOptions& options,
                                   const std::string& note) {

@@ -123,22 +123,22 @@ void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations
         weights.sum() -
         weights.dot(fitted.linearisation.response_to_lengths(weights).lengths.col(0));
     constexpr double rounding = 1e-6;
-    if (information > rounding * weights.sum()) {
-        check.mean = weights.dot(fitted.iterate.deviations - observations.mean) / information;
-        check.mean_std = 1.0 / std::sqrt(information);
-        if (weights.size() >= fewest_for_marginal_mode) {
-            constexpr double farthest = 4.0;  // standard deviations of the prior
-            const double h = 0.1 * check.checked.std();
-            Observations moved = observations;
-            moved.mean.array() += h * (weights.array() > 0.0).cast<double>();
-            const double by_mode =
-                DeterminantSlope(fitted, observations).change(moved) / h / information;
-            if (!(std::abs(by_mode) < farthest * check.checked.std())) {
-                check.mean = 0.0;
-                check.mean_std = 0.0;
-            }
+    if (!(information > rounding * weights.sum())) {
+        return;
+    }
+    if (weights.size() >= fewest_for_marginal_mode) {
+        constexpr double farthest = 4.0;  // standard deviations of the prior
+        const double h = 0.1 * check.checked.std();
+        Observations moved = observations;
+        moved.mean.array() += h * (weights.array() > 0.0).cast<double>();
+        const double by_mode =
+            DeterminantSlope(fitted, observations).change(moved) / h / information;
+        if (!(std::abs(by_mode) < farthest * check.checked.std())) {
+            return;
         }
     }
+    check.mean = weights.dot(fitted.iterate.deviations - observations.mean) / information;
+    check.mean_std = 1.0 / std::sqrt(information);
 }
 
 /// (components), (prior-check)

@@ -85,6 +85,9 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                 break;
             case UncertainParameter::Kind::loads:
                 result.loads = parameter.std * random.normal();
+                if (std_of(uncertain, UncertainParameter::Kind::mass) > 0.0) {
+                    result.own_loads -= result.loads * self_weight(net);  // has that of the mass
+                }
                 break;
             case UncertainParameter::Kind::loads_each:
                 for (const int node : net.free_nodes()) {

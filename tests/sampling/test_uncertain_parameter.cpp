@@ -183,6 +183,18 @@ TEST(ModelPerturbation, ChangeTheNetByWhatTheyAre) {
         1e-9);
 }
 
+TEST(ModelPerturbation, OfLoadsLeaveTheWeightOfAnUncertainMass) {
+    const CableNet net = net_with([](CableNetData& data) {
+        data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
+        data.mass = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 0.3);
+    });
+    const ModelPerturbation c = draw_perturbation(
+        net, {parse_uncertain_parameter("loads:10%"), parse_uncertain_parameter("mass:3%")}, 0, 1);
+    const Points weight = net.loads() - net.data().loads;
+    const Points expected = (1.0 + c.loads) * net.data().loads + (1.0 + c.sag) * weight;
+    EXPECT_TRUE(net_under(net, c, net.unstressed_lengths()).loads().isApprox(expected, 1e-12));
+}
+
 TEST(ModelPerturbation, AreDrawnWithTheGivenWidths) {
     const CableNet net = net_with([](CableNetData& data) {
         data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
