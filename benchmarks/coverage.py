@@ -56,24 +56,30 @@ def drawn(prior, count, random):
 
 
 class Net:
-    """A net of `taut example`; alter(deviations, nodes, random) builds it otherwise than designed."""
+    """A net of `taut example`, under a load at each free node [N]; alter(deviations, nodes, random) builds it otherwise than designed."""
 
-    def __init__(self, name, factor, folder, alter=None):
+    def __init__(self, name, factor, folder, alter=None, load=0.0):
         taut("example", name, "-o", folder / "net.json")
         self.data = json.loads((folder / "net.json").read_text())
         data = self.data
         self.edges = np.array(data["edges"])
         count = len(self.edges)
+        self.free = np.setdiff1d(np.arange(len(data["nodes"])), data["supports"])
+        self.loads = np.array(data.get("loads") or np.zeros((len(data["nodes"]), 3)), float)
+        if load:
+            self.loads[self.free, 2] -= load
+            data["loads"] = self.loads.tolist()
+            (folder / "net.json").write_text(json.dumps(data))
+            taut("form", folder / "net.json", "-o", folder / "built.csv")
+            data["nodes"] = self.form_of(folder, np.array(data["nodes"], float)).tolist()
         self.nodes = np.array(data["nodes"], float)
         self.stiffness = np.broadcast_to(np.array(data["axial_stiffness"], float), count).copy()
         self.lengths = np.array(data["unstressed_lengths"], float)
-        self.loads = np.array(data.get("loads") or np.zeros_like(self.nodes), float)
-        self.free = np.setdiff1d(np.arange(len(self.nodes)), data["supports"])
         at_supports = np.isin(self.edges, data["supports"]).any(axis=1)
         self.adjustable = np.array(data.get("adjustable", np.flatnonzero(at_supports)))
         self.interior = np.setdiff1d(np.arange(count), self.adjustable)
         self.is_strut = np.array(data.get("kind", ["cable"] * count)) == "strut"
-        self.load_factor = 1.0
+        self.load_factor, self.missing_load = 1.0, 0.0
         self.alter = alter or (lambda deviations, nodes, random: None)
         self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
         strain = self.spans(self.nodes) / self.lengths - 1
@@ -84,6 +90,13 @@ class Net:
         data["axial_stiffness"] = self.stiffness.tolist()
         (folder / "net.json").write_text(json.dumps(data))
         self.folder = folder
+
+    @staticmethod
+    def form_of(folder, nodes):
+        form = nodes.copy()
+        for row in csv.DictReader((folder / "built.csv").open()):
+            form[int(row["id"])] = [float(row[axis]) for axis in "xyz"]
+        return form
 
     def spans(self, form):
         return np.linalg.norm(form[self.edges[:, 0]] - form[self.edges[:, 1]], axis=1)
@@ -125,15 +138,15 @@ class Net:
         deviations = np.zeros(count)
         deviations[self.interior] = drawn(prior, len(self.interior), random)
         self.alter(deviations, nodes, random)
-        built = dict(self.data, nodes=nodes.tolist(), loads=(self.load_factor * loads).tolist(), adjustable=self.adjustable.tolist())
+        loads *= self.load_factor
+        loads[self.free, 2] -= self.missing_load
+        built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
         built["axial_stiffness"] = (self.stiffness * factor).tolist()
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
         built["unstressed_lengths"] = lengths.tolist()
         (self.folder / "built.json").write_text(json.dumps(built))
         taut("form", self.folder / "built.json", "-o", self.folder / "built.csv")
-        form = nodes.copy()
-        for row in csv.DictReader((self.folder / "built.csv").open()):
-            form[int(row["id"])] = [float(row[axis]) for axis in "xyz"]
+        form = self.form_of(self.folder, nodes)
         return form, self.tensions(form, lengths, factor), deviations, truth
 
 

@@ -28,7 +28,9 @@ class Case:
     """
 
     def __init__(self, name, truth="uniform:5mm", given=None, alter=None, survey=None, noise=NOISE, given_noise=None,
-                 frame="net", suspects=0, options=(), net=NET, heavy=False, uncertain=(), cells=0, cells_off=0.0):
+                 frame="net", suspects=0, options=(), net=NET, heavy=False, uncertain=(), cells=0, cells_off=0.0,
+                 by_axis=(1, 1, 1), hangs=0.0):
+        self.by_axis, self.hangs = by_axis, hangs  # factors of the noise; load at each free node, as given [N]
         self.cells, self.cells_off = cells, cells_off  # load cells: forces measured to 2 %, and all off by a part
         self.uncertain = list(uncertain)
         self.name, self.truth, self.given, self.alter, self.survey = name, truth, given, alter, survey
@@ -38,7 +40,7 @@ class Case:
     def error(self, random):
         """Of one surveyed place; heavy: Student's t with three degrees of freedom, of the same variance."""
         normal = random.standard_t(3, 3) / np.sqrt(3) if self.heavy else random.normal(size=3)
-        return quantity(self.noise) * normal
+        return quantity(self.noise) * np.array(self.by_axis) * normal
 
 
 def off(kind, count, by):
@@ -97,6 +99,16 @@ def heavier(part):
 
     def alter(net, deviations, nodes, random):
         net.load_factor = 1 + part
+        return set()
+
+    return alter
+
+
+def loaded(by):
+    """More load at each free node than given [N]."""
+
+    def alter(net, deviations, nodes, random):
+        net.missing_load = by
         return set()
 
     return alter
@@ -239,6 +251,13 @@ CASES = [
          net="steel-roof"),
     *[Case(f"steel-roof, uniform:2mm: loads {percent} % heavier", truth="uniform:2mm", given="uniform:2mm",
            alter=heavier(percent / 100), net="steel-roof") for percent in (5, 10)],
+    *[Case(f"hypar:9x9 under 200 N at each node, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9",
+           hangs=200.0, alter=heavier(percent / 100), options=options)
+      for name, percent, options in [("nothing is wrong", 0, ()), *[(f"loads {p} % heavier", p, ()) for p in (5, 10, 20)],
+                                     ("loads 5 % heavier, --uncertain none", 5, ("--uncertain", "none"))]],
+    Case("20 N at each node not given", given="uniform:5mm", alter=loaded(20.0)),
+    Case("hypar:5x5, uniform:2mm: 50 N at each node not given", truth="uniform:2mm", given="uniform:2mm", net="hypar:5x5",
+         alter=loaded(50.0)),
     Case("lengths uniform:7mm", truth="uniform:7mm", given="uniform:5mm"),
     Case("lengths normal:2.9mm", truth="normal:2.9mm", given="uniform:5mm"),
     Case("lengths bimodal:4mm", truth="bimodal:4mm", given="uniform:5mm"),
@@ -291,6 +310,9 @@ CASES = [
     Case("noise given three times too small", given="uniform:5mm", given_noise="0.1667mm"),
     Case("noise given 1.5 times too small", given="uniform:5mm", given_noise="0.333mm"),
     Case("noise given two times too large", given="uniform:5mm", given_noise="1mm"),
+    Case("noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", given="uniform:5mm", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
+    Case("hypar:9x9, uniform:2mm: noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", truth="uniform:2mm", given="uniform:2mm",
+         net="hypar:9x9", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
     Case("noise not known, --noise estimate", given="uniform:5mm", given_noise="estimate"),
     Case("noise with heavy tails", given="uniform:5mm", heavy=True),
     Case("survey 3 mm off as a whole, --frame net", given="uniform:5mm", survey=moved((0.003, 0, 0))),
@@ -381,7 +403,7 @@ def try_survey(net, case, folder, seed):
 def row(case, surveys):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        net = Net(case.net, 1, folder)
+        net = Net(case.net, 1, folder, load=case.hangs)
         if len(net.edges) > 5000:
             surveys //= 10
         elif not case.net.startswith("hypar"):  # the others are larger

@@ -215,7 +215,7 @@ std::string exact_parameters(const CableNet& net, const Identification& result) 
         given.emplace_back("stiffness");
     }
     const bool has_own_weight_alone = net.data().loads.isZero(0.0);
-    if (!is_uncertain(Kind::loads, Kind::loads_each) &&
+    if (!net.loads().isZero(0.0) && !is_uncertain(Kind::loads, Kind::loads_each) &&
         !(has_own_weight_alone && is_uncertain(Kind::mass))) {
         given.emplace_back("loads");
     }
@@ -359,12 +359,13 @@ std::string detectable_text(const DetectableErrors& errors) {
     const std::string forces = std::isfinite(errors.force_scale)
                                    ? text(", all forces", errors.force_scale, 1e-2, "%")
                                    : "";
-    return fmt::format("{}, {}, {}, {}, {}, {}{}", text("target", errors.target, 1e-3, "mm"),
+    return fmt::format("{}, {}, {}, {}, {}, {}, {}{}", text("target", errors.target, 1e-3, "mm"),
                        text("length", errors.length, 1e-3, "mm"),
                        text("turnbuckle", errors.adjustable, 1e-3, "mm"),
                        text("support", errors.support, 1e-3, "mm"),
                        text("scale", errors.scale, 1e-6, "ppm"),
-                       text("temperature", errors.temperature, 1.0, "K"), forces);
+                       text("temperature", errors.temperature, 1.0, "K"),
+                       text("load at each node", errors.load, 1.0, "N"), forces);
 }
 
 /// The next step with the option of its remedy: "Use this standard deviation (--noise 0.71mm)."

@@ -269,13 +269,16 @@ void bind_checks(nb::class_<Identified>& result) {
           "[rad] about a point, then translation [m], with their std; else None."},
          {"scales",
           "Factors that fit the survey best, with their std: noise, of its standard deviation; "
-          "lengths, of the prior."},
+          "lengths, of the prior; noise_by_axis, of the noise along x, y and z."},
          {"prior_check",
           "How the lengths fit the prior: checked, lengths (their number), likeliest prior, gain "
           "in log likelihood, mean and mean_std [m], outliers."},
          {"frame_check",
           "How the survey as a whole would fit better: scale and scale_std, translation [m], "
           "rotation [rad], motion_statistic."},
+         {"load_check",
+          "With which vertical load at each free node the survey would fit better: force, "
+          "downwards, and its std if there is none [N]."},
          {"contradicted_prior",
           "prior_check of the prior given, where the survey contradicts it; else None."},
          {"prior_was_given", "Whether a prior was given."},

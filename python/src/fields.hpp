@@ -83,14 +83,16 @@ TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_besi
 TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, confounded_with)
 TAUT_FIELDS(ForceBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)
-TAUT_FIELDS(VarianceComponents, noise, lengths)
+TAUT_FIELDS(VarianceComponents, noise, lengths, noise_by_axis)
 TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)
-TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force_scale)
+TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force_scale,
+            load)
 TAUT_FIELDS(PriorNode, prior, weight)
 TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, struts, struts_std,
             adjustable, adjustable_std)
 TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, common, nodes)
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
+TAUT_FIELDS(LoadCheck, force, std)
 TAUT_FIELDS(ModelPerturbations, stiffness, thermal, supports, loads)
 TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, perturbations, forms,
             tensions, seed, how, is_refitted, reason)
@@ -113,10 +115,10 @@ TAUT_FIELDS(EpochResult, surveyed, turned, load, outliers, boundary_outliers, fr
 TAUT_FIELDS(Identification, method, method_reason, how, length_prior, prior, status, message, edges,
             predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
             length_outliers, boundary_outliers, boundary_not_released, detectable, noise_scale,
-            frame_offset, scales, prior_check, frame_check, contradicted_prior, prior_was_given,
-            force_measurements, force_outliers, force_bias, contradicted_taut, contradicted_slack,
-            assumptions, uncertain, draws, epochs, turned, trust, length_covariance,
-            form_covariance, drawn)
+            frame_offset, scales, prior_check, frame_check, load_check, contradicted_prior,
+            prior_was_given, force_measurements, force_outliers, force_bias, contradicted_taut,
+            contradicted_slack, assumptions, uncertain, draws, epochs, turned, trust,
+            length_covariance, form_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, as_in_paper,

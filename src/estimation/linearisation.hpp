@@ -106,6 +106,9 @@ public:
     /// @param rates derivative of all coordinates by each number (3 x n)
     [[nodiscard]] Score score_of_survey(const std::vector<Points>& rates, const Iterate& iterate,
                                         const Observations& observations) const;
+    /// The same of a multiple of loads.
+    /// @param loads at all nodes (3 x n) [N]
+    [[nodiscard]] Score score_of_loads(const Points& loads) const;
 
 private:
     [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights,

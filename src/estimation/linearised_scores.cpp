@@ -168,4 +168,11 @@ Linearisation::Score Linearisation::score_of_survey(const std::vector<Points>& r
     return score_of(columns);
 }
 
+Linearisation::Score Linearisation::score_of_loads(const Points& loads) const {
+    ScoreColumn column = empty_score_column();
+    column.entries.inner.multipliers =
+        -m_multiplier_unit * loads(Eigen::all, m_model->numbering().free_nodes);
+    return score_of({std::move(column)});
+}
+
 }  // namespace taut

@@ -32,10 +32,12 @@ struct Group {
         const double found = ratio();
         return found > 0.0 ? std::clamp(found, 1.0 / largest_scaling, largest_scaling) : 1.0;
     }
+    [[nodiscard]] FoundScale found() const { return {.ratio = ratio(), .std = ratio_std()}; }
 };
 
-Group noise_group(const LinearisedFit& fitted, const Observations& observations) {
-    Group group;
+/// Of the coordinates along x, y and z.
+std::array<Group, 3> noise_groups(const LinearisedFit& fitted, const Observations& observations) {
+    std::array<Group, 3> groups;
     for (const int node : fitted.model().net().free_nodes()) {
         if (observations.weights.col(node).maxCoeff() <= 0.0) {
             continue;
@@ -43,10 +45,23 @@ Group noise_group(const LinearisedFit& fitted, const Observations& observations)
         const Eigen::Vector3d residual =
             observations.form.col(node) - fitted.iterate.form.col(node);
         const Eigen::Matrix3d S = observations.weight(node);
-        group.squares += residual.dot(S * residual);
-        group.redundancy += 3.0 - S.cwiseProduct(fitted.covariance.places[node]).sum();
+        const Eigen::Vector3d weighted = S * residual;
+        const Eigen::Matrix3d& C = fitted.covariance.places[node];
+        for (int k = 0; k < 3; ++k) {
+            groups[k].squares += residual(k) * weighted(k);
+            groups[k].redundancy += 1.0 - S.row(k).dot(C.col(k));
+        }
     }
-    return group;
+    return groups;
+}
+
+Group sum(const std::array<Group, 3>& groups) {
+    Group all;
+    for (const Group& group : groups) {
+        all.squares += group.squares;
+        all.redundancy += group.redundancy;
+    }
+    return all;
 }
 
 /// Of the taut edges: a slack one does not show its length.
@@ -74,7 +89,7 @@ VarianceComponents scaled_to_fit(LinearisedFit& fitted, Observations& observatio
     VarianceComponents result;
     const StaticsModel model = fitted.model();
     for (int round = 0; round < most_scalings; ++round) {
-        const Group noise = noise_group(fitted, observations);
+        const Group noise = sum(noise_groups(fitted, observations));
         const Group lengths = length_group(fitted, observations, left_out);
         if (round == 0) {
             result.noise.std = noise.ratio_std();
@@ -112,18 +127,27 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
                                        const std::vector<bool>& left_out) {
     const StaticsModel model = fitted.model();
     const Iterate at = fitted.iterate;
-    Observations held = observations;
+    const Observations given = observations;
+    const std::array<Group, 3> as_given = noise_groups(fitted, observations);
     VarianceComponents result = scaled_to_fit(fitted, observations, left_out, true);
-    if (result.noise.ratio < 1.0 && result.noise.is_contradicted()) {  // (held-noise)
-        LinearisedFit again = linearised_fit(model, at, held);
-        (void)scaled_to_fit(again, held, left_out, false);
-        const Group noise = noise_group(again, held);
-        constexpr double least = 0.1;
-        const double statistic =
-            noise.ratio() > 0.0 ? (1.0 - noise.ratio()) / noise.ratio_std() : 0.0;
-        if (statistic < significant_std) {
-            result.noise.std = (1.0 - result.noise.ratio) / std::max(least, statistic);
-        }
+    std::ranges::transform(as_given, result.noise_by_axis.begin(), &Group::found);
+    const bool is_too_large = result.noise.ratio < 1.0 && result.noise.is_contradicted();
+    const bool is_of_axis = std::ranges::any_of(result.noise_by_axis, [](const FoundScale& axis) {
+        return axis.ratio > 1.0 && axis.is_contradicted();
+    });
+    if (!is_too_large && !is_of_axis) {
+        return result;
+    }
+    Observations held = given;  // (held-noise)
+    LinearisedFit again = linearised_fit(model, at, held);
+    (void)scaled_to_fit(again, held, left_out, false);
+    const std::array<Group, 3> by_axis = noise_groups(again, held);
+    std::ranges::transform(by_axis, result.noise_by_axis.begin(), &Group::found);
+    const Group noise = sum(by_axis);
+    constexpr double least = 0.1;
+    const double statistic = noise.ratio() > 0.0 ? (1.0 - noise.ratio()) / noise.ratio_std() : 0.0;
+    if (is_too_large && statistic < significant_std) {
+        result.noise.std = (1.0 - result.noise.ratio) / std::max(least, statistic);
     }
     return result;
 }

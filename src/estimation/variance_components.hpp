@@ -11,8 +11,9 @@ namespace taut {
 
 /// The scales of noise and lengths at which both fit the survey (W. Foerstner, Ein Verfahren zur
 /// Schaetzung von Varianz- und Kovarianzkomponenten, 1979), docs/theory.md (components): each sum
-/// of squares over its redundancy becomes 1. The standard deviation of a ratio of the noise that
-/// is too small is that of (held-noise) where this is not significant.
+/// of squares over its redundancy becomes 1. The standard deviation of a ratio of the noise that is
+/// too small is that of (held-noise) where this is not significant. Those along an axis are of the
+/// first fit; where one is too large, of that with the noise held.
 ///
 /// @param fitted on return the fit to the scales found
 /// @param observations of the fit; on return with these

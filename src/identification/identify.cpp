@@ -201,6 +201,7 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     result.scales = fit.scales;
     result.prior_check = fit.prior_check;
     result.frame_check = fit.frame_check;
+    result.load_check = fit.load_check;
     result.length_outliers = fit.length_outliers;
     result.boundary_outliers = fit.boundary_outliers;
     result.boundary_not_released = fit.boundary_not_released;

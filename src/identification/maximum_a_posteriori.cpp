@@ -21,6 +21,7 @@
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/length_tests.hpp"
 #include "estimation/length_trend.hpp"
+#include "estimation/load_check.hpp"
 #include "estimation/marginal_mode.hpp"
 #include "estimation/prior_check.hpp"
 #include "estimation/target_tests.hpp"
@@ -104,6 +105,7 @@ struct Diagnostics {
     VarianceComponents scales;
     PriorCheck prior;
     FrameCheck frame;
+    LoadCheck loads;
     std::optional<PriorEstimate> estimate;
     std::vector<bool> left_out;       ///< interior edges (m_I) that do not follow the prior
     Eigen::VectorXd adjustable_stds;  ///< prior std of adjustable edges as built, else 0 (m_I)
@@ -151,6 +153,7 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     const Observations observed = fit.observations;
     Observations scaled = observed;
     shown.frame = check_frame(fitted, observed, fit.hypotheses.residual_scale);
+    shown.loads = check_loads(fitted, fit.hypotheses.residual_scale);
     std::vector<bool> left_out = fit.hypotheses.released_lengths();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
@@ -205,6 +208,8 @@ DetectableErrors detectable_of(const CableNet& net, const CableNet& fit_net, con
         {.bound = std::max(significant_std * shown.prior.mean_std,
                            negligible_mean * shown.prior.checked.std()),
          .std = shown.prior.mean_std}});
+    result.load = detectable_error(std::vector<BoundedEstimate>{
+        {.bound = significant_std * shown.loads.std, .std = shown.loads.std}});
     constexpr double of_steel = 12e-6;  // [1/K]
     double expansion = 0.0;             // mean, by 1 K [m]
     const Eigen::VectorXd& of_net = net.data().expansion;
@@ -432,6 +437,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     result.scales = shown.scales;
     result.prior_check = shown.prior;
     result.frame_check = shown.frame;
+    result.load_check = shown.loads;
     result.frame_check.scale_std = std::hypot(shown.frame.scale_std, survey.scale_std);
     set_outliers(result, net, fit);
     result.boundary_not_released = fit.hypotheses.suspicious_count(Hypotheses::Family::boundary);

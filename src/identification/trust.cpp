@@ -151,6 +151,9 @@ OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Ident
     if (frame.is_moved()) {
         take(0.5 * frame.motion_statistic, "the frame of the survey");
     }
+    if (const LoadCheck& loads = result.load_check; loads.is_missing()) {
+        take(0.5 * std::pow(loads.force / loads.std, 2), "loads and weights of the net");
+    }
     if (has_narrow_prior(result)) {
         double gain = 0.0;
         for (const LengthOutlier& outlier : result.length_outliers) {
@@ -166,19 +169,45 @@ OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Ident
     return cause;
 }
 
+/// Along which axis a survey scatters more widely than given and than along both others; -1: none.
+int axis_of_noise(const std::array<FoundScale, 3>& axes) {
+    constexpr double significant = 3.0;  // standard deviations
+    const auto worst = std::ranges::max_element(axes, {}, &FoundScale::ratio);
+    const auto k = static_cast<int>(worst - axes.begin());
+    double squares = 0.0;
+    double redundancy = 0.0;
+    for (const FoundScale& other : {axes[(k + 1) % 3], axes[(k + 2) % 3]}) {
+        if (other.std > 0.0) {
+            const double count = 0.5 / (other.std * other.std);
+            redundancy += count;
+            squares += other.ratio * other.ratio * count;
+        }
+    }
+    if (!(worst->ratio > 1.0) || !worst->is_contradicted() || !(redundancy > 0.0)) {
+        return -1;
+    }
+    const double std_of_both = std::hypot(worst->std, std::sqrt(0.5 / redundancy));
+    return worst->ratio > (1.0 + significant * std_of_both) * std::sqrt(squares / redundancy) ? k
+                                                                                              : -1;
+}
+
 class Tests {
 public:
     Tests(const CableNet& net, const Survey& survey, const Identification& result)
         : m_net(net),
           m_survey(survey),
           m_result(result),
-          m_other_cause(other_cause_of(net, survey, result)) {}
+          m_other_cause(other_cause_of(net, survey, result)),
+          m_noise_axis(axis_of_noise(result.scales.noise_by_axis)) {}
 
     Trust run() {
         test_end();
+        const bool is_noise_first = is_noise_likelier();
+        if (!is_noise_first || !noise().is_contradicted()) {
+            test_loads();
+        }
         test_frame();
         test_elastic_supports();
-        const bool is_noise_first = is_noise_likelier();
         if (!is_noise_first) {
             test_uncertain();
         }
@@ -187,6 +216,9 @@ public:
             test_prior();
         }
         test_noise();
+        if (is_noise_first && noise().is_contradicted()) {
+            test_loads();
+        }
         if (!is_prior_first) {
             test_prior();
         }
@@ -221,6 +253,26 @@ private:
         }
     }
 
+    /// (load-check)
+    void test_loads() {
+        const LoadCheck& check = m_result.load_check;
+        if (check.is_missing()) {
+            add({.kind = FindingKind::missing_load,
+                 .severity = Verdict::failed,
+                 .value = check.force,
+                 .std = check.std,
+                 .remedy = Trust::Remedy{"uncertain", ""},
+                 .reason = fmt::format("The survey fits better with {:.2g} N or more {} at each "
+                                       "free node, besides the loads given. Chance allows "
+                                       "+-{:.2g} N.",
+                                       std::abs(check.force),
+                                       check.force > 0.0 ? "downwards" : "upwards", check.std),
+                 .next = "Check loads and weights of the net, of its cables, clamps and cladding, "
+                         "and whether targets stand off the cables (offset). If loads are not "
+                         "known, state how uncertain that of each node is."});
+        }
+    }
+
     void test_frame() {
         const FrameCheck& check = m_result.frame_check;
         if (has_scale(m_net, m_survey, check)) {
@@ -248,12 +300,39 @@ private:
 
     /// (other-causes). The ratio of n numbers has the standard deviation 1 / sqrt(2 n).
     [[nodiscard]] bool is_noise_likelier() const {
-        const FoundScale& noise = m_result.scales.noise;
-        return !noise.is_contradicted() ||
-               gain_of_scale(noise.ratio, 0.5 / (noise.std * noise.std)) > m_other_cause.gain;
+        const auto& [ratio, std] = noise();
+        return !noise().is_contradicted() ||
+               gain_of_scale(ratio, 0.5 / (std * std)) > m_other_cause.gain;
+    }
+
+    /// Along one axis, where that is what is wrong.
+    [[nodiscard]] const FoundScale& noise() const {
+        return m_noise_axis < 0 ? m_result.scales.noise
+                                : m_result.scales.noise_by_axis[m_noise_axis];
+    }
+
+    void test_noise_along_axis() {
+        const auto& [ratio, std] = noise();
+        const double given = m_survey.noise_std.row(m_noise_axis).maxCoeff();
+        add({.kind = FindingKind::survey_noise,
+             .severity = ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
+             .value = ratio,
+             .std = std,
+             .reason = fmt::format("The survey scatters along {} by {}, {:.2f} times the standard "
+                                   "deviation given, {}, and less along the other axes. Chance "
+                                   "allows 1 +- {:.2f}.",
+                                   "xyz"[m_noise_axis], rounded_length(given * ratio, 3), ratio,
+                                   rounded_length(given), std),
+             .next = is_noise_likelier()
+                         ? "Give a standard deviation for each axis (sx, sy, sz in the survey)."
+                         : m_other_cause.advice()});
     }
 
     void test_noise() {
+        if (m_noise_axis >= 0) {
+            test_noise_along_axis();
+            return;
+        }
         constexpr double as_computed = 1e-3;  // no instrument errs so much less than is thought
         const FoundScale& noise = m_result.scales.noise;
         const FoundScale& lengths = m_result.scales.lengths;
@@ -775,6 +854,7 @@ private:
     const Survey& m_survey;
     const Identification& m_result;
     OtherCause m_other_cause;
+    int m_noise_axis;
     Trust m_trust;
 };
 
@@ -783,6 +863,7 @@ constexpr std::pair<FindingKind, std::string_view> kind_names[] = {
     {FindingKind::survey_scale, "survey_scale"},
     {FindingKind::survey_frame, "survey_frame"},
     {FindingKind::survey_noise, "survey_noise"},
+    {FindingKind::missing_load, "missing_load"},
     {FindingKind::prior, "prior"},
     {FindingKind::common_deviation, "common_deviation"},
     {FindingKind::run_scales, "run_scales"},

@@ -64,7 +64,9 @@ Description<DetectableErrors> describe(const DetectableErrors* /*type*/) {
         .key("scale", TAUT_VALUE(if_finite(it.scale)), size, "Of the survey, relative.")
         .key("temperature", TAUT_VALUE(if_finite(it.temperature)), size, "Of all edges [K].")
         .newer("force_scale", TAUT_VALUE(if_finite(it.force_scale)), size,
-               "Of all force measurements, relative; null for fewer than two.");
+               "Of all force measurements, relative; null for fewer than two.")
+        .newer("load", TAUT_VALUE(if_finite(it.load)), size,
+               "Vertical, at each free node, besides those given [N].");
 }
 
 Description<FoundScale> describe(const FoundScale* /*type*/) {
@@ -85,6 +87,14 @@ Description<FrameCheck> describe(const FrameCheck* /*type*/) {
         .key("rotation", &FrameCheck::rotation, "[rad].")
         .key("motion_statistic", &FrameCheck::motion_statistic, size,
              "Chi-squared with six degrees of freedom, if the survey is not moved.");
+}
+
+Description<LoadCheck> describe(const LoadCheck* /*type*/) {
+    return Description<LoadCheck>("load_check",
+                                  "A vertical load at each free node that would fit better.")
+        .key("force", &LoadCheck::force, "Downwards, besides the loads given [N].")
+        .key("std", &LoadCheck::std, size,
+             "Its standard deviation, if there is none; 0 where the survey does not show it [N].");
 }
 
 Description<Outlier> describe(const Outlier* /*type*/) {

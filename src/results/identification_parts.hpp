@@ -19,6 +19,7 @@ Description<Trust::Finding> describe(const Trust::Finding* type);
 Description<DetectableErrors> describe(const DetectableErrors* type);
 Description<FoundScale> describe(const FoundScale* type);
 Description<FrameCheck> describe(const FrameCheck* type);
+Description<LoadCheck> describe(const LoadCheck* type);
 Description<Outlier> describe(const Outlier* type);
 Description<ForceOutlier> describe(const ForceOutlier* type);
 Description<ForceBias> describe(const ForceBias* type);

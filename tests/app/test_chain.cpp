@@ -157,10 +157,9 @@ TEST_F(Chain, IdentifyTakesForceMeasurementsAndUncertainParameters) {
         {"identify", "net.json", "survey.csv", "--prior", "uniform:2mm", "--forces", "forces.csv",
          "--force-unit", "kN", "--force-noise", "50%", "--uncertain", "none", "--uncertain",
          "stiffness:5%", "--uncertain", "supports:1mm", "-o", "result.json"});
-    for (const std::string words :
-         {"force measurements: 1, of which 0 not used", "stiffness:5%: ", "loads assumed exact"}) {
-        EXPECT_THAT(text, HasSubstr(words));
-    }
+    EXPECT_THAT(text, HasSubstr("force measurements: 1, of which 0 not used"));
+    EXPECT_THAT(text, HasSubstr("stiffness:5%: "));
+    EXPECT_THAT(text, Not(HasSubstr("assumed exact")));  // there are no loads
     const json result = json::parse(read("result.json"));
     EXPECT_EQ(result["forces"]["measurements"], 1);
     ASSERT_GT(result["uncertain"].size(), 1U);

@@ -8,7 +8,6 @@
 
 #include "../identification/simulated_survey.hpp"
 #include "estimation/boundary_tests.hpp"
-#include "estimation/frame_check.hpp"
 #include "estimation/survey_fit.hpp"
 #include "taut/design/builtin_nets.hpp"
 
@@ -57,65 +56,6 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
     EXPECT_NEAR(estimate, found[0].deviation.x(), 0.1 * off);
     EXPECT_NEAR(std, found[0].std.x(), 0.1 * std);
     EXPECT_NEAR(found[0].deviation.x(), off, 4.0 * found[0].std.x());
-}
-
-// Each load has one error.
-TEST(CommonParameters, OfLoadsLeaveWhatIsKnownOtherwise) {
-    CableNetData data = hypar(3, 3).data();
-    const Points hung = Points::Constant(3, data.nodes.cols(), -50.0);
-    data.loads = Points::Constant(3, data.nodes.cols(), -20.0) + hung;
-    data.mass = Eigen::VectorXd::Constant(std::ssize(data.edges), 0.3);
-    const CableNet net(data);
-    const auto change_by = [&](const std::vector<UncertainParameter>& uncertain) -> Points {
-        const CommonParameters common(net, uncertain, false, hung);
-        Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
-        values(0) = 1.0;
-        return common.load_change(values);
-    };
-    const UncertainParameter loads = parse_uncertain_parameter("loads:5%");
-    const UncertainParameter mass = parse_uncertain_parameter("mass:3%");
-    EXPECT_TRUE(change_by({loads}).isApprox(0.05 * (net.loads() - hung)));
-    EXPECT_TRUE(change_by({loads, mass}).isApprox(0.05 * (net.data().loads - hung)));
-}
-
-TEST(FrameCheck, FindsTheScaleAndTheMotionOfASurvey) {
-    const CableNet net = hypar(6, 6);
-    SimulatedSurvey s = simulate(net, prior, noise, 3);
-    const Eigen::Vector3d middle = net.nodes().rowwise().mean();
-    const Points arms = s.survey.form.colwise() - middle;
-    s.survey.form += 0.004 * arms;
-    s.survey.form.row(1).array() += 0.005;
-    const SurveyFit fit = fit_survey(net, s.survey, PriorKnowledge(net, prior), {});
-    const FrameCheck check = check_frame(fit.at, fit.observations, 1.0);
-    EXPECT_NEAR(check.scale, 0.004, 4.0 * check.scale_std);
-    EXPECT_LT(check.scale_std, 0.001);
-    EXPECT_NEAR(check.translation.y(), 0.005, 2e-3);
-    EXPECT_TRUE(check.is_moved());
-}
-
-// Differences of the fitted misfit by the number: what a survey larger by a part would gain.
-TEST(SurveyScore, IsTheSlopeOfTheObjective) {
-    const CableNet net = hypar(6, 6);
-    const Fitted held(net, net, false);
-    const Points rate = net.nodes().colwise() - net.nodes().rowwise().mean();
-    const Observations observed = held.fit.observations;
-    const Linearisation::Score score =
-        held.fit.at.linearisation.score_of_survey({rate}, held.fit.at.iterate, observed);
-    const auto objective = [&](double scale) {
-        Observations scaled = observed;
-        scaled.form -= scale * rate;
-        const StaticsModel& model = held.fit.at.model();
-        Iterate at = held.fit.at.iterate;
-        for (int round = 0; round < 6; ++round) {
-            at = at.moved(linearise(model, at, scaled).value().step(at, scaled));
-        }
-        return model.objective(scaled, at);
-    };
-    const double h = 1e-4;
-    const double slope = (objective(h) - objective(-h)) / (2.0 * h);
-    const double curvature = (objective(h) - 2.0 * objective(0.0) + objective(-h)) / (h * h);
-    EXPECT_NEAR(-slope, score.gradient(0), 0.01 * std::sqrt(score.information(0, 0)));
-    EXPECT_NEAR(curvature, score.information(0, 0), 0.01 * curvature);
 }
 
 // A support with one edge takes no solution of its own, surveyed or not, beside common parameters.

@@ -728,6 +728,41 @@ TEST(Diagnostics, OfNoiseNamesTheNoiseThatFits) {
     EXPECT_LE(result.outliers.size(), 6U);  // sound targets
 }
 
+// Heights that scatter more widely than plan positions pass as one noise that fits both.
+TEST(Diagnostics, OfNoiseAlongOneAxisNamesIt) {
+    SimulatedSurvey s = survey_of(net(), prior, 11);
+    const auto finding_of = [&] {
+        const Identification result = identified(s.survey, prior);
+        const auto& all = result.trust.findings;
+        const auto found = std::ranges::find(all, Kind::survey_noise, &Trust::Finding::kind);
+        return found == all.end() ? Trust::Finding{} : *found;
+    };
+    EXPECT_EQ(finding_of().reason, "");
+    s.survey.noise_std.row(2) /= 2.4;
+    const Trust::Finding found = finding_of();
+    EXPECT_EQ(found.severity, Trust::Verdict::failed);
+    EXPECT_THAT(found.reason, testing::HasSubstr("scatters along z by"));
+    EXPECT_NEAR(found.value.value(), 2.4, 4.0 * 2.4 * found.std.value());
+    EXPECT_THAT(found.next, testing::HasSubstr("each axis"));
+}
+
+// A survey of a net with clamps that were not given; noise, frame and boundary are not to blame.
+TEST(Diagnostics, OfAMissingLoadNameItFirst) {
+    CableNetData loaded = net().data();
+    loaded.loads = Points::Zero(3, net().node_count());
+    loaded.loads.row(2).setConstant(-30.0);
+    const SimulatedSurvey s = survey_of(CableNet(loaded), prior, 12);
+    for (const auto method : {IdentificationMethod::map, IdentificationMethod::balance}) {
+        const Identification result = identified(s.survey, prior, method);
+        const Trust::Finding& first = result.trust.findings.at(0);
+        EXPECT_EQ(first.kind, Kind::missing_load) << first.reason;
+        EXPECT_EQ(first.severity, Trust::Verdict::failed);
+        EXPECT_GT(first.value.value(), 4.0 * first.std.value());
+        EXPECT_LT(result.detectable.load, 30.0);
+    }
+    EXPECT_FALSE(finds(identified(survey_of(net(), prior, 12).survey, prior), Kind::missing_load));
+}
+
 // Another noise is not the remedy where something else explains more of what was found.
 TEST(Diagnostics, AdvisesWhatExplainsMost) {
     const SimulatedSurvey s = survey_of(net(), prior, 1);

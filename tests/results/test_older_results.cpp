@@ -45,6 +45,7 @@ TEST_P(OlderResult, IsReadUnderTheKeysOfToday) {
     std::set<std::string> today = keys_of(folder / ("full_" + name + ".json"));
     for (const std::string_view since :
          {"/form_covariance", "/planned_form_covariance", "/detectable/force_scale",
+          "/detectable/load", "/diagnostics/noise_by_axis", "/diagnostics/missing_load",
           "/prior/common/struts", "/epochs/*/load", "/forces/outliers/*/source",
           "/forces/outliers/*/mode", "/order/stages", "/turns/*/tension_after_step",
           "/turns/*/frequency_after_step", "/target_tensions", "/options/form_tolerance",

@@ -26,6 +26,7 @@ const kinds: Record<Finding["kind"], { name: string; of?: "edge" | "node"; scale
   survey_scale: { name: "Scale of the survey", scale: { unit: "ppm", factor: 1e6 } },
   survey_frame: { name: "Frame of the survey", scale: mm },
   survey_noise: { name: "Standard deviation of the survey", scale: { unit: "times the given one", factor: 1 } },
+  missing_load: { name: "Missing load", scale: { unit: "N at each node", factor: 1 } },
   prior: { name: "Prior of the length deviations", scale: { ...mm, before: "std " } },
   common_deviation: { name: "Common length deviation", scale: mm },
   run_scales: { name: "Scales of cable runs", scale: { ...percent, before: "std " } },
@@ -113,6 +114,7 @@ function smallestErrorWords(found: Detectable | undefined): string {
   const all = [
     entry("length", found.length, "mm", 1e3), entry("turnbuckle", found.adjustable, "mm", 1e3), entry("support", found.support, "mm", 1e3),
     entry("target", found.target, "mm", 1e3), entry("scale", found.scale, "ppm", 1e6), entry("temperature", found.temperature, "K"),
+    ...(found.load === undefined ? [] : [entry("load at each node", found.load, "N")]),
     ...(found.force_scale ? [entry("all forces", found.force_scale, "%", 1e2)] : []),
   ];
   const [shown, never] = [all.filter(([, size]) => size), all.filter(([, size]) => !size).map(([name]) => name)];

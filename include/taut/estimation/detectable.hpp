@@ -26,6 +26,8 @@ struct DetectableErrors {
     double temperature = std::numeric_limits<double>::infinity();
     /// Of all force measurements, by the same part; infinite for fewer than two [-].
     double force_scale = std::numeric_limits<double>::infinity();
+    /// Vertical, at each free node, besides the loads given [N].
+    double load = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace taut

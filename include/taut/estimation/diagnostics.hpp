@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "taut/export/core.hpp"
 #include "taut/sampling/length_prior.hpp"
@@ -32,6 +33,7 @@ struct TAUT_CORE_EXPORT FoundScale {
 struct VarianceComponents {
     FoundScale noise;    ///< of the standard deviations of surveyed coordinates
     FoundScale lengths;  ///< of the standard deviation of the prior
+    std::array<FoundScale, 3> noise_by_axis;  ///< along x, y and z, noise as given
 };
 
 /// Check of the prior by the lengths that a survey shows.
@@ -69,6 +71,15 @@ struct TAUT_CORE_EXPORT FrameCheck {
     [[nodiscard]] bool is_moved() const;
     /// Whether that is significant.
     [[nodiscard]] bool is_scaled() const;
+};
+
+/// How a survey would fit better with other loads.
+struct TAUT_CORE_EXPORT LoadCheck {
+    double force = 0.0;  ///< downwards at each free node, besides the net's [N]
+    double std = 0.0;    ///< of that, if there is none; 0 where the survey does not show it [N]
+
+    /// Whether that is significant.
+    [[nodiscard]] bool is_missing() const;
 };
 
 }  // namespace taut

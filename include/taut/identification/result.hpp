@@ -154,6 +154,7 @@ struct Identification {
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
     PriorCheck prior_check;     ///< how lengths fit `length_prior`; as here where not computed
     FrameCheck frame_check;     ///< how the survey would fit better; as here where not computed
+    LoadCheck load_check;       ///< with which loads it would; as here where not computed
     /// The given or default prior, if the survey contradicts it: `length_prior` is then the one
     /// that the survey shows.
     std::optional<PriorCheck> contradicted_prior;

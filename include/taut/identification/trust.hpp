@@ -38,6 +38,7 @@ struct TAUT_CORE_EXPORT Trust {
             survey_scale,          ///< of the survey over the net's, less 1
             survey_frame,          ///< shift of the survey [m]
             survey_noise,          ///< standard deviation found over the one given
+            missing_load,          ///< downwards at each free node [N]
             prior,                 ///< standard deviation of the lengths found [m]
             common_deviation,      ///< that all lengths have in common [m]
             run_scales,            ///< standard deviation of the runs' scales
