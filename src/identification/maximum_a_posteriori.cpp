@@ -128,19 +128,23 @@ void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations
     if (!(information > rounding * weights.sum())) {
         return;
     }
+    double by_mode = 0.0;
+    double by_mode_std = 0.0;
     if (weights.size() >= fewest_for_marginal_mode) {
+        constexpr double known_to = 0.5;  // the slope is of the mode, not of its way there
         constexpr double farthest = 4.0;  // standard deviations of the prior
         const double h = 0.1 * check.checked.std();
         Observations moved = observations;
         moved.mean.array() += h * (weights.array() > 0.0).cast<double>();
-        const double by_mode =
-            DeterminantSlope(fitted, observations).change(moved) / h / information;
+        by_mode = DeterminantSlope(fitted, observations).change(moved) / h / information;
         if (!(std::abs(by_mode) < farthest * check.checked.std())) {
             return;
         }
+        by_mode_std = known_to * std::abs(by_mode);
     }
-    check.mean = weights.dot(fitted.iterate.deviations - observations.mean) / information;
-    check.mean_std = 1.0 / std::sqrt(information);
+    const double score = weights.dot(fitted.iterate.deviations - observations.mean);
+    check.mean = score / information - by_mode;
+    check.mean_std = std::hypot(1.0 / std::sqrt(information), by_mode_std);
 }
 
 /// (components), (prior-check)

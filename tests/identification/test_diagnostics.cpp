@@ -622,6 +622,17 @@ TEST(Diagnostics, AreOfAFitWhereManyEdgesMayBeSlack) {
     EXPECT_GT(coverage(result, s.deviations), 0.9);
 }
 
+// By the mode of all unknowns together their mean seems 1.4 mm.
+TEST(Diagnostics, OfManyEdgesTestTheirMeanWithoutItsBias) {
+    const CableNet saddle = hypar(28, 28);
+    const LengthPrior narrow{LengthPrior::Kind::uniform, 0.001};
+    const SimulatedSurvey s = survey_of(saddle, narrow, 1);
+    const Identification found =
+        identify(saddle, s.survey, {.prior = narrow, .assume_site = true, .draws = 0});
+    EXPECT_GT(found.prior_check.mean_std, 0.0);
+    EXPECT_FALSE(finds(found, Kind::common_deviation)) << found.prior_check.mean;
+}
+
 // Steps that damping of the lengths alone does not shorten.
 TEST(Diagnostics, ReportTensionsWhereEdgesMayBeSlack) {
     const LengthPrior wide{LengthPrior::Kind::uniform, 7e-3};

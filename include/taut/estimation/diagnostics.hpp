@@ -43,7 +43,7 @@ struct TAUT_CORE_EXPORT PriorCheck {
     LengthPrior likeliest;  ///< of uniform, normal and bimodal, of any scale
     double gain = 0.0;      ///< of its log likelihood over that of the prior checked
     double mean = 0.0;      ///< that all deviations have in common [m]
-    double mean_std = 0.0;  ///< of that, if it is none [m]
+    double mean_std = 0.0;  ///< of that, if it is none; 0: not tested [m]
     int outliers = 0;       ///< lengths outside the prior, where these are too many to be mis-cut
 
     /// Whether the mean is significant.
