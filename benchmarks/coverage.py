@@ -13,7 +13,6 @@ import json
 import pathlib
 import subprocess
 import tempfile
-import time
 
 import numpy as np
 from page_block import show
@@ -30,6 +29,7 @@ CASES = [
     ("hypar:9x9", 1, "uniform:2mm", "0.5mm", "10%", 200, [*UNKNOWNS, "stiffness-each:3%"], 5),
     ("hypar:9x9", 10, "uniform:0.5mm", "0.5mm", "10%", 100, [], 5),
     ("hypar:9x9", 10, "uniform:2mm", "0.5mm", "10%", 50, [], 5),
+    ("hypar:9x9", 1, "uniform:15mm", "0.5mm", "10%", 20, [], 0),
     ("steel-roof", 1, "uniform:5mm", "0.5mm", "10%", 50, [], 0),
     ("steel-roof", 1, "uniform:2mm", "0.5mm", "10%", 50, [], 0),
 ]
@@ -175,7 +175,7 @@ def row(case, folder):
     name, factor, prior, noise, hidden, surveys, uncertain, cells = case
     net = Net(name, factor, folder)
     lengths, slack, tensions, means, places, numbers = (Count() for _ in range(6))
-    errors, given, failed, seconds = [], 0, 0, []
+    errors, given, failed = [], 0, 0
     for seed in range(surveys):
         form, tension, deviations, truth = net.build(prior, uncertain, seed)
         random = np.random.default_rng(10_000 + seed)
@@ -193,9 +193,7 @@ def row(case, folder):
             lines = [f"{e},{tension[e] * (1 + CELL_NOISE * random.normal())}\n" for e in read]
             (folder / "forces.csv").write_text("".join(lines))
             command += ["--forces", folder / "forces.csv", "--force-noise", f"{100 * CELL_NOISE:g}%"]
-        start = time.perf_counter()
         failed += taut(*command).returncode != 0
-        seconds.append(time.perf_counter() - start)
         if not (folder / "result.json").exists():
             continue
         result = json.loads((folder / "result.json").read_text())
@@ -221,15 +219,15 @@ def row(case, folder):
     of_uncertain = ", ".join(uncertain) or "none"
     return (
         f"| {of_net} | {prior}, {noise}, {hidden} | {of_uncertain} | {cells or 'none'} | {surveys}, {failed}, {given} | {lengths} | "
-        f"{slack} | {tensions} | {places} | {numbers} | {means}, {rms} | {np.median(seconds):.2f} |"
+        f"{slack} | {tensions} | {places} | {numbers} | {means}, {rms} |"
     )
 
 
 def lines():
     yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py --write`:\n"
     yield ("| net | prior, noise, hidden | uncertain | cells | surveys, failed, with tensions | lengths | slack | tensions | places "
-           "| parameters | mean tension, error | seconds |")
-    yield "|" + "---|" * 12
+           "| parameters | mean tension, error |")
+    yield "|" + "---|" * 11
     for case in CASES:
         with tempfile.TemporaryDirectory() as folder:
             yield row(case, pathlib.Path(folder))

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/checked_result.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "identification/parameter_estimates.hpp"
+#include "taut/net/units.hpp"
+
+namespace taut {
+namespace {
+
+using Verdict = Trust::Verdict;
+using Finding = Trust::Finding;
+using FindingKind = Finding::Kind;
+
+/// What may be wrong with a measurement that contradicts the survey: of a frequency, the mode that
+/// explains it, where one does.
+std::string source_hint(const ForceOutlier& outlier) {
+    if (outlier.source == ForceSource::load_cell) {
+        return {};
+    }
+    if (outlier.source == ForceSource::sag) {
+        return "Check its points, and the mass of the cable.";
+    }
+    if (!(outlier.expected > 0.0)) {
+        return "Check its mode, mass and free length.";
+    }
+    // T is as 1 / n^2.
+    const double fitting = outlier.mode * std::sqrt(outlier.measured / outlier.expected);
+    constexpr double closest = 0.15;
+    const double mode = std::max(1.0, std::round(fitting));
+    return mode != outlier.mode && std::abs(fitting - mode) < closest
+               ? fmt::format("It would be that of mode {:.0f}, not {}: check which it is.", mode,
+                             outlier.mode)
+               : "Check its mode, mass and free length.";
+}
+
+}  // namespace
+
+void test_forces(CheckedResult& of) {
+    std::vector<std::string> marks;
+    for (const auto* edges : {&of.result.contradicted_taut, &of.result.contradicted_slack}) {
+        std::ranges::transform(*edges, std::back_inserter(marks),
+                               [&](int edge) { return of.net.edge_id(edge); });
+    }
+    if (!marks.empty()) {
+        of.add({.kind = FindingKind::slack_marks,
+                .severity = Verdict::doubtful,
+                .ids = marks,
+                .reason = fmt::format("Edges marked as slack or taut contradict the survey: {}. "
+                                      "taut ignored all marks.",
+                                      and_more(marks)),
+                .next = "Look at those edges again."});
+    }
+    if (of.result.force_bias) {
+        of.add({.kind = FindingKind::force_scale,
+                .severity = Verdict::doubtful,
+                .value = of.result.force_bias->part,
+                .std = of.result.force_bias->std,
+                .reason = fmt::format("All force measurements are off by the same part, {:+.0f} "
+                                      "%. taut used none of them.",
+                                      1e2 * of.result.force_bias->part),
+                .next = "Check their unit and calibration."});
+        return;
+    }
+    for (const ForceOutlier& outlier : of.result.force_outliers) {
+        of.add({.kind = FindingKind::force_measurement,
+                .ids = {of.net.edge_id(outlier.edge)},
+                .value = outlier.measured - outlier.expected,
+                .reason = fmt::format("The force {} edge {} is {:.2f} kN, where {:.2f} kN is "
+                                      "expected. taut left it out.",
+                                      outlier.source == ForceSource::load_cell ? "measured in"
+                                      : outlier.source == ForceSource::sag     ? "by the sag of"
+                                                                           : "by the frequency of",
+                                      of.net.edge_id(outlier.edge), 1e-3 * outlier.measured,
+                                      1e-3 * outlier.expected),
+                .next = source_hint(outlier)});
+    }
+}
+
+void test_uncertain(CheckedResult& of) {
+    for (const ParameterSpread& spread : spreads_of(of.result.uncertain)) {
+        if (spread.is_contradicted()) {
+            const double ratio = spread.ratio * spread.widening;
+            // parse_uncertain_parameter() takes no more
+            const double widest_part =
+                spread.parameter.kind == UncertainParameter::Kind::creep ? most_creep : 0.3;
+            UncertainParameter wider = spread.parameter;
+            wider.std = to_digits(ratio * wider.std, 2);
+            const std::string group = wider.group.empty() ? std::string() : "@" + wider.group;
+            const bool is_metric = wider.kind == UncertainParameter::Kind::adjustable ||
+                                   wider.kind == UncertainParameter::Kind::supports ||
+                                   wider.kind == UncertainParameter::Kind::temperature ||
+                                   wider.kind == UncertainParameter::Kind::loads_each;
+            const bool is_of_known_loads = wider.kind == UncertainParameter::Kind::test_loads;
+            of.add(
+                {.kind = FindingKind::uncertain_parameter,
+                 .severity = Verdict::failed,
+                 .ids = {std::string(wider.name()) + group},
+                 .value = ratio,
+                 .remedy =
+                     Trust::Remedy{"uncertain",
+                                   is_metric || wider.std < widest_part ? wider.to_string() : ""},
+                 .reason = fmt::format("The survey shows {:.1f} times the standard deviation "
+                                       "assumed of {}.",
+                                       ratio, spread.parameter.to_string()),
+                 .next = is_of_known_loads
+                             ? "Check the loads that hung on the net: their sign, unit and nodes."
+                             : "Check it on site, or assume a larger one."});
+        }
+    }
+}
+
+}  // namespace taut
