@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -23,7 +24,7 @@ struct Group {
     /// With less than this only chance decides.
     static constexpr double least_redundancy = 5.0;
     [[nodiscard]] double ratio() const {
-        return redundancy > least_redundancy ? std::sqrt(squares / redundancy) : 0.0;
+        return redundancy > least_redundancy ? std::sqrt(std::max(0.0, squares) / redundancy) : 0.0;
     }
     [[nodiscard]] double ratio_std() const {
         return redundancy > least_redundancy ? 1.0 / std::sqrt(2.0 * redundancy) : 0.0;
@@ -130,7 +131,7 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
     const Observations given = observations;
     const std::array<Group, 3> as_given = noise_groups(fitted, observations);
     VarianceComponents result = scaled_to_fit(fitted, observations, left_out, true);
-    std::ranges::transform(as_given, result.noise_by_axis.begin(), &Group::found);
+    std::ranges::transform(as_given, std::back_inserter(result.noise_by_axis), &Group::found);
     const bool is_too_large = result.noise.ratio < 1.0 && result.noise.is_contradicted();
     const bool is_of_axis = std::ranges::any_of(result.noise_by_axis, [](const FoundScale& axis) {
         return axis.ratio > 1.0 && axis.is_contradicted();

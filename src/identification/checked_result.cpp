@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "identification/parameter_estimates.hpp"
@@ -24,6 +23,16 @@ double gain_of_scale(double ratio, double count) {
     return count * (0.5 * (ratio * ratio - 1.0) - std::log(ratio));
 }
 
+/// The same of one number that would otherwise be 0.
+double gain_of(double value, double std) {
+    return 0.5 * std::pow(value / std, 2);
+}
+
+double gain_of_loads(const Identification& result) {
+    const LoadCheck& loads = result.load_check;
+    return loads.is_missing() ? gain_of(loads.force, loads.std) : 0.0;
+}
+
 /// (other-causes): the one that explains most.
 OtherCause other_cause_of(const CheckedResult& of) {
     const Identification& result = of.result;
@@ -31,18 +40,21 @@ OtherCause other_cause_of(const CheckedResult& of) {
     OtherCause cause;
     const auto take = [&](double gain, std::string name) {
         if (gain > cause.gain) {
-            cause = {gain, std::move(name)};
+            cause = {.gain = gain, .name = std::move(name)};
         }
     };
     if (of.has_scale()) {
-        take(0.5 * std::pow(frame.scale / frame.scale_std, 2), "the scale of the survey");
+        take(gain_of(frame.scale, frame.scale_std), "the scale of the survey");
     }
     if (frame.is_moved()) {
         take(0.5 * frame.motion_statistic, "the frame of the survey");
     }
-    if (const LoadCheck& loads = result.load_check; loads.is_missing()) {
-        take(0.5 * std::pow(loads.force / loads.std, 2), "loads and weights of the net");
+    if (of.has_mean()) {
+        take(gain_of(result.prior_check.mean, result.prior_check.mean_std),
+             "what all lengths have in common");
     }
+    const bool is_load_likeliest = gain_of_loads(result) > cause.gain;
+    take(gain_of_loads(result), "loads and weights of the net");
     if (of.has_narrow_prior()) {
         double gain = 0.0;
         for (const LengthOutlier& outlier : result.length_outliers) {
@@ -55,29 +67,33 @@ OtherCause other_cause_of(const CheckedResult& of) {
             take(gain_of_scale(spread.ratio, spread.shown), spread.parameter.to_string());
         }
     }
+    cause.is_load_likeliest = is_load_likeliest;
     return cause;
 }
 
-/// Along which axis a survey scatters more widely than given and than along both others; -1: none.
-int axis_of_noise(const std::array<FoundScale, 3>& axes) {
+/// Whether one ratio is significantly above another.
+bool is_above(const FoundScale& one, const FoundScale& other) {
     constexpr double significant = 3.0;  // standard deviations
+    return one.ratio > (1.0 + significant * std::hypot(one.std, other.std)) * other.ratio;
+}
+
+/// Along which axes a survey scatters more widely than given and than along the rest.
+std::vector<int> axes_of_noise(const std::vector<FoundScale>& axes) {
     const auto worst = std::ranges::max_element(axes, {}, &FoundScale::ratio);
-    const auto k = static_cast<int>(worst - axes.begin());
-    double squares = 0.0;
-    double redundancy = 0.0;
-    for (const FoundScale& other : {axes[(k + 1) % 3], axes[(k + 2) % 3]}) {
-        if (other.std > 0.0) {
-            const double count = 0.5 / (other.std * other.std);
-            redundancy += count;
-            squares += other.ratio * other.ratio * count;
+    if (worst == axes.end() || !(worst->ratio > 1.0) || !worst->is_contradicted()) {
+        return {};
+    }
+    std::vector<int> found;
+    bool has_rest = false;
+    for (int k = 0; k < std::ssize(axes); ++k) {
+        const bool is_shown = axes[k].std > 0.0;
+        if (is_shown && axes[k].is_contradicted() && !is_above(*worst, axes[k])) {
+            found.push_back(k);
+        } else {
+            has_rest = has_rest || (is_shown && is_above(*worst, axes[k]));
         }
     }
-    if (!(worst->ratio > 1.0) || !worst->is_contradicted() || !(redundancy > 0.0)) {
-        return -1;
-    }
-    const double std_of_both = std::hypot(worst->std, std::sqrt(0.5 / redundancy));
-    return worst->ratio > (1.0 + significant * std_of_both) * std::sqrt(squares / redundancy) ? k
-                                                                                              : -1;
+    return has_rest ? found : std::vector<int>();
 }
 
 }  // namespace
@@ -92,10 +108,14 @@ CheckedResult::CheckedResult(const CableNet& of_net, const Survey& of_survey,
       survey(of_survey),
       result(found),
       other_cause(other_cause_of(*this)),
-      noise_axis(axis_of_noise(result.scales.noise_by_axis)) {}
+      noise_axes(axes_of_noise(result.scales.noise_by_axis)) {}
 
 const FoundScale& CheckedResult::noise() const {
-    return noise_axis < 0 ? result.scales.noise : result.scales.noise_by_axis[noise_axis];
+    const VarianceComponents& scales = result.scales;
+    return noise_axes.empty() ? scales.noise
+                              : scales.noise_by_axis[std::ranges::max(noise_axes, {}, [&](int k) {
+                                    return scales.noise_by_axis[k].ratio;
+                                })];
 }
 
 /// The ratio of n numbers has the standard deviation 1 / sqrt(2 n).
@@ -109,6 +129,18 @@ bool CheckedResult::has_scale() const {
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
     const double furthest = std::abs(check.scale) * arms.colwise().norm().maxCoeff();
     return check.is_scaled() && furthest > negligible_scale * survey.rms_noise_std();
+}
+
+bool CheckedResult::has_mean() const {
+    const PriorCheck& check = result.prior_check;
+    return check.has_mean() && std::abs(check.mean) > negligible_mean * result.length_prior.std();
+}
+
+bool CheckedResult::is_load_first() const {
+    const auto& [ratio, std] = noise();
+    return other_cause.is_load_likeliest &&
+           (!noise().is_contradicted() ||
+            gain_of_loads(result) > gain_of_scale(ratio, 0.5 / (std * std)));
 }
 
 bool CheckedResult::has_narrow_prior() const {

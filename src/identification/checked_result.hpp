@@ -21,6 +21,7 @@ inline constexpr double far_too_small = 1.2;
 struct OtherCause {
     double gain = 0.0;  ///< by which it makes the survey likelier, logarithm
     std::string name;
+    bool is_load_likeliest = false;  ///< of scale, frame, common mean and a missing load
 
     [[nodiscard]] std::string advice() const;
 };
@@ -30,20 +31,23 @@ struct CheckedResult {
     const CableNet& net;
     const Survey& survey;
     const Identification& result;
-    OtherCause other_cause;  ///< (other-causes): the one that explains most
-    int noise_axis;          ///< along which the survey scatters more; -1: none
+    OtherCause other_cause;       ///< (other-causes): the one that explains most
+    std::vector<int> noise_axes;  ///< along which the survey scatters more than along others
     Trust trust;
 
     CheckedResult(const CableNet& net, const Survey& survey, const Identification& result);
 
     void add(Trust::Finding finding) { trust.findings.push_back(std::move(finding)); }
-    /// Along one axis, where that is what is wrong.
+    /// Of the worst of these axes, or of all.
     [[nodiscard]] const FoundScale& noise() const;
     /// (other-causes): whether noise explains more than the other cause, or is as given.
     [[nodiscard]] bool is_noise_likelier() const;
     /// Whether the survey is of another scale, by more than is lost in its noise at the node
     /// furthest out.
     [[nodiscard]] bool has_scale() const;
+    [[nodiscard]] bool has_mean() const;  ///< of all lengths, that does harm
+    /// Whether a missing load explains more than scale, frame, common mean and noise.
+    [[nodiscard]] bool is_load_first() const;
     /// Whether so many lengths are outliers that the prior is too narrow rather than each cable
     /// wrong.
     [[nodiscard]] bool has_narrow_prior() const;

@@ -157,7 +157,7 @@ void test_one_of_boundary(CheckedResult& of, const BoundaryOutlier& outlier) {
 void test_prior(CheckedResult& of) {
     const PriorCheck& check = of.result.prior_check;
     const std::string used = prior_text(of.result.length_prior);
-    if (check.has_mean() && std::abs(check.mean) > negligible_mean * of.result.length_prior.std()) {
+    if (of.has_mean()) {
         of.add({.kind = FindingKind::common_deviation,
                 .severity = Verdict::failed,
                 .value = check.mean,

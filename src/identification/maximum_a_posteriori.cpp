@@ -131,7 +131,7 @@ void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations
     double by_mode = 0.0;
     double by_mode_std = 0.0;
     if (weights.size() >= fewest_for_marginal_mode) {
-        constexpr double known_to = 0.5;  // the slope is of the mode, not of its way there
+        constexpr double known_to = 0.5;  // the slope changes on the way: by trial
         constexpr double farthest = 4.0;  // standard deviations of the prior
         const double h = 0.1 * check.checked.std();
         Observations moved = observations;
@@ -157,7 +157,6 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     const Observations observed = fit.observations;
     Observations scaled = observed;
     shown.frame = check_frame(fitted, observed, fit.hypotheses.residual_scale);
-    shown.loads = check_loads(fitted, fit.hypotheses.residual_scale);
     std::vector<bool> left_out = fit.hypotheses.released_lengths();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
@@ -401,7 +400,9 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         }
     }
     const PriorKnowledge& knowledge = fit.knowledge;
+    LoadCheck loads;
     if (fit.converged) {
+        loads = check_loads(fit.at, fit.hypotheses.residual_scale);
         move_to_marginal_mode(fit, fitting);
     }
     LinearisedFit fitted = std::move(fit.at);
@@ -411,6 +412,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         const StaticsModel model = fitted.model();
         const Iterate at = fitted.iterate;
         shown = diagnostics_of(net, fit_net, given, fit, std::move(fitted));
+        shown.loads = loads;
         fitted = linearised_fit(model, at, observations);
     }
     if (common_count) {

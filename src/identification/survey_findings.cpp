@@ -3,6 +3,7 @@
 #include "identification/checked_result.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -52,42 +53,57 @@ std::vector<std::string> largest_cluster(const CableNet& net,
     return largest;
 }
 
-void test_noise_along_axis(CheckedResult& of) {
+/// "along z by 0.9mm, 1.51 times the standard deviation given, 0.6mm"
+std::string axis_text(const CheckedResult& of, int axis) {
+    const double ratio = of.result.scales.noise_by_axis[axis].ratio;
+    const double given = of.survey.noise_std(axis, of.survey.surveyed).maxCoeff();
+    return fmt::format("along {} by {}, {:.2f} times the standard deviation given, {}", "xyz"[axis],
+                       rounded_length(given * ratio, 3), ratio, rounded_length(given));
+}
+
+void test_noise_along_axes(CheckedResult& of) {
+    std::vector<std::string> texts;
+    std::ranges::transform(of.noise_axes, std::back_inserter(texts),
+                           [&](int axis) { return axis_text(of, axis); });
     const auto& [ratio, std] = of.noise();
-    const double given = of.survey.noise_std.row(of.noise_axis).maxCoeff();
     of.add({.kind = FindingKind::survey_noise,
             .severity = ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
             .value = ratio,
             .std = std,
-            .reason = fmt::format("The survey scatters along {} by {}, {:.2f} times the standard "
-                                  "deviation given, {}, and less along the other axes. Chance "
-                                  "allows 1 +- {:.2f}.",
-                                  "xyz"[of.noise_axis], rounded_length(given * ratio, 3), ratio,
-                                  rounded_length(given), std),
-            .next = of.is_noise_likelier()
-                        ? "Give a standard deviation for each axis (sx, sy, sz in the survey)."
-                        : of.other_cause.advice()});
+            .reason = fmt::format("In the net's frame the survey scatters {}, and less along the "
+                                  "rest. Chance allows 1 +- {:.2f}.",
+                                  fmt::join(texts, ", and "), std),
+            .next = !of.is_noise_likelier()   ? of.other_cause.advice()
+                    : of.survey.has_own_noise ? "Correct the standard deviations of this axis in "
+                                                "the survey (sx, sy, sz)."
+                                              : "Give a standard deviation for each axis in the "
+                                                "survey (sx, sy, sz)."});
 }
 
 }  // namespace
 
 void test_loads(CheckedResult& of) {
     const LoadCheck& check = of.result.load_check;
-    if (check.is_missing()) {
-        of.add({.kind = FindingKind::missing_load,
-                .severity = Verdict::failed,
-                .value = check.force,
-                .std = check.std,
-                .remedy = Trust::Remedy{"uncertain", ""},
-                .reason = fmt::format("The survey fits better with {:.2g} N or more {} at each "
-                                      "free node, besides the loads given. Chance allows "
-                                      "+-{:.2g} N.",
-                                      std::abs(check.force),
-                                      check.force > 0.0 ? "downwards" : "upwards", check.std),
-                .next = "Check loads and weights of the net, of its cables, clamps and cladding, "
-                        "and whether targets stand off the cables (offset). If loads are not "
-                        "known, state how uncertain that of each node is."});
+    if (!check.is_missing()) {
+        return;
     }
+    const auto newton = [](double force) {
+        return fmt::format("{:.6g} N", to_digits(std::abs(force), 2));
+    };
+    of.add(
+        {.kind = FindingKind::missing_load,
+         .severity = Verdict::failed,
+         .value = check.force,
+         .std = check.std,
+         .remedy = Trust::Remedy{"uncertain", ""},
+         .reason = fmt::format("The survey fits better with about {} {} at each free node, besides "
+                               "the loads given. Chance allows +-{}.",
+                               newton(check.force), check.force > 0.0 ? "downwards" : "upwards",
+                               newton(check.std)),
+         .next = of.is_load_first()
+                     ? "Check loads and weights of the net, of its cables, clamps and cladding. If "
+                       "they are not known, state how uncertain the load of each node is."
+                     : of.other_cause.advice()});
 }
 
 void test_frame(CheckedResult& of) {
@@ -116,8 +132,8 @@ void test_frame(CheckedResult& of) {
 }
 
 void test_noise(CheckedResult& of) {
-    if (of.noise_axis >= 0) {
-        test_noise_along_axis(of);
+    if (!of.noise_axes.empty()) {
+        test_noise_along_axes(of);
         return;
     }
     constexpr double as_computed = 1e-3;  // no instrument errs so much less than is thought

@@ -115,7 +115,7 @@ Trust trust_of(const CableNet& net, const Survey& survey, const Identification& 
     CheckedResult of(net, survey, result);
     test_end(of);
     const bool is_noise_first = of.is_noise_likelier();
-    if (!is_noise_first || !of.noise().is_contradicted()) {
+    if (of.is_load_first()) {
         test_loads(of);
     }
     test_frame(of);
@@ -128,11 +128,11 @@ Trust trust_of(const CableNet& net, const Survey& survey, const Identification& 
         test_prior(of);
     }
     test_noise(of);
-    if (is_noise_first && of.noise().is_contradicted()) {
-        test_loads(of);
-    }
     if (!is_prior_first) {
         test_prior(of);
+    }
+    if (!of.is_load_first()) {
+        test_loads(of);
     }
     test_lengths(of);
     test_boundary(of);

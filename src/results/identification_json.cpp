@@ -83,10 +83,8 @@ Description<Identification> diagnostics_object() {
         .key("lengths", TAUT_VALUE(it.scales.lengths))
         .object("prior", prior_check_object())
         .key("frame", &Identification::frame_check)
-        .newer(
-            "noise_by_axis",
-            TAUT_VALUE(std::vector(it.scales.noise_by_axis.begin(), it.scales.noise_by_axis.end())),
-            "Of the noise along x, y and z.")
+        .newer("noise_by_axis", TAUT_VALUE(it.scales.noise_by_axis),
+               "Of the noise along x, y and z.")
         .newer("missing_load", &Identification::load_check)
         .key("length_outliers", &Identification::length_outliers)
         .key("boundary", &Identification::boundary_outliers,

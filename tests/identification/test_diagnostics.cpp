@@ -774,6 +774,27 @@ TEST(Diagnostics, OfAMissingLoadNameItFirst) {
     EXPECT_FALSE(finds(identified(survey_of(net(), prior, 12).survey, prior), Kind::missing_load));
 }
 
+// A survey that stands too high is not one of a net with less weight.
+TEST(Diagnostics, OfAMissingLoadNameWhatExplainsMoreFirst) {
+    SimulatedSurvey s = survey_of(net(), prior, 12);
+    s.survey.form.row(2).array() += 0.003;
+    EXPECT_EQ(identified(s.survey, prior).trust.findings.at(0).kind, Kind::survey_frame);
+}
+
+// Where many edges move common parameters to (marginal-mode), loads are among these.
+TEST(Diagnostics, OfManyEdgesMissNoLoad) {
+    CableNetData hung = hypar(30, 30).data();
+    hung.loads = Points::Zero(3, hung.nodes.cols());
+    hung.loads.row(2).setConstant(-50.0);
+    const CableNet saddle(hung);
+    const LengthPrior narrow{LengthPrior::Kind::uniform, 0.001};
+    const SimulatedSurvey s = survey_of(saddle, narrow, 1);
+    const Identification found =
+        identify(saddle, s.survey, {.prior = narrow, .assume_site = true, .draws = 0});
+    EXPECT_GT(found.load_check.std, 0.0);
+    EXPECT_LT(std::abs(found.load_check.force), 2.0 * found.load_check.std);
+}
+
 // Another noise is not the remedy where something else explains more of what was found.
 TEST(Diagnostics, AdvisesWhatExplainsMost) {
     const SimulatedSurvey s = survey_of(net(), prior, 1);

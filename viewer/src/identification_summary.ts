@@ -81,7 +81,7 @@ function tensionWords(result: Identification): string {
 
 /** What tensions depend on and is no uncertain parameter. */
 function assumedWords({ cable_net, uncertain = [] }: Identification): string {
-  const hasLoads = cable_net.loads !== undefined || ("mass" in cable_net && !uncertain.some((one) => one.name === "mass"));
+  const hasLoads = cable_net.loads?.some((load) => load.some((force) => force !== 0)) || ("mass" in cable_net && !uncertain.some((one) => one.name === "mass"));
   const names = ["stiffness", ...(hasLoads ? ["loads"] : []), "supports", ...(cable_net.supports.some((_, i) => isElastic(cable_net, i)) ? ["support-stiffness"] : [])];
   const exact = names.filter((name) => !uncertain.some((one) => one.name === name));
   if (exact.length === 0) return "";

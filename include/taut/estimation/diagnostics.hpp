@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <vector>
 
 #include "taut/export/core.hpp"
 #include "taut/sampling/length_prior.hpp"
@@ -33,7 +33,9 @@ struct TAUT_CORE_EXPORT FoundScale {
 struct VarianceComponents {
     FoundScale noise;    ///< of the standard deviations of surveyed coordinates
     FoundScale lengths;  ///< of the standard deviation of the prior
-    std::array<FoundScale, 3> noise_by_axis;  ///< along x, y and z, noise as given
+    /// Of the noise along x, y and z, at the lengths as given, or as wide as they show where one is
+    /// too large; empty where not computed.
+    std::vector<FoundScale> noise_by_axis;
 };
 
 /// Check of the prior by the lengths that a survey shows.
