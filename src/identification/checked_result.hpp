@@ -35,7 +35,7 @@ struct CheckedResult {
     std::vector<int> noise_axes;  ///< along which the survey scatters more than along others
     Trust trust;
 
-    CheckedResult(const CableNet& net, const Survey& survey, const Identification& result);
+    CheckedResult(const CableNet& of_net, const Survey& of_survey, const Identification& found);
 
     void add(Trust::Finding finding) { trust.findings.push_back(std::move(finding)); }
     /// Of the worst of these axes, or of all.
@@ -61,7 +61,7 @@ struct CheckedResult {
 /// @param bound before the number
 [[nodiscard]] std::string longer_text(double deviation, double std, std::string_view bound = "");
 
-// Each adds the findings of one kind of check, docs/theory.md (trust).
+// Each adds the findings of one kind of check, docs/theory.md, Diagnostics.
 void test_loads(CheckedResult& of);  ///< (load-check)
 void test_frame(CheckedResult& of);
 void test_noise(CheckedResult& of);
