@@ -145,7 +145,9 @@ class Net:
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
         built["unstressed_lengths"] = lengths.tolist()
         (self.folder / "built.json").write_text(json.dumps(built))
-        taut("form", self.folder / "built.json", "-o", self.folder / "built.csv")
+        done = taut("form", self.folder / "built.json", "-o", self.folder / "built.csv")
+        if done.returncode != 0:
+            raise RuntimeError(f"seed {seed}: {done.stderr}")
         form = self.form_of(self.folder, nodes)
         return form, self.tensions(form, lengths, factor), deviations, truth
 

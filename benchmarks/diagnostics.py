@@ -313,6 +313,8 @@ CASES = [
     Case("noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", given="uniform:5mm", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
     Case("hypar:9x9, uniform:2mm: noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", truth="uniform:2mm", given="uniform:2mm",
          net="hypar:9x9", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
+    Case("hypar:9x9, uniform:2mm: noise 1.5, 1.5 and 0.5 mm along x, y and z, given 0.5 mm", truth="uniform:2mm", given="uniform:2mm",
+         net="hypar:9x9", by_axis=(3, 3, 1)),
     Case("noise not known, --noise estimate", given="uniform:5mm", given_noise="estimate"),
     Case("noise with heavy tails", given="uniform:5mm", heavy=True),
     Case("survey 3 mm off as a whole, --frame net", given="uniform:5mm", survey=moved((0.003, 0, 0))),

@@ -52,10 +52,10 @@ void test_runs(CheckedResult& of) {
 
 /// (hyperprior): what the survey finds is cut off where the prior over scales ends.
 void test_scale_of_prior(CheckedResult& of) {
-    constexpr double two_standard_deviations = 1.5 * 1.5;
+    constexpr double standard_deviation = 1.5;  // of the prior over scales
     const PriorEstimate& prior = of.result.prior;
     if (of.result.prior_was_given && !prior.exact &&
-        prior.std > two_standard_deviations * prior.given.std()) {
+        prior.std - prior.std_std > standard_deviation * prior.given.std()) {
         of.add({.kind = FindingKind::prior,
                 .severity = Verdict::doubtful,
                 .value = prior.std,
@@ -63,7 +63,9 @@ void test_scale_of_prior(CheckedResult& of) {
                     fmt::format("The lengths scatter by +-{:.2f} mm or more. The prior "
                                 "given, {}, allows +-{:.2f} mm.",
                                 1e3 * prior.std, prior_text(prior.given), 1e3 * prior.given.std()),
-                .next = "Give a wider prior, or none."});
+                .next =
+                    "Give a wider prior, or none. Noise in plan that is larger than given can look "
+                    "the same."});
     }
 }
 

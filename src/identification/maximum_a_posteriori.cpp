@@ -30,6 +30,7 @@
 #include "identification/exact_balance.hpp"
 #include "identification/parameter_estimates.hpp"
 #include "taut/estimation/edge_status.hpp"
+#include "taut/statics/imbalance.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -211,8 +212,12 @@ DetectableErrors detectable_of(const CableNet& net, const CableNet& fit_net, con
         {.bound = std::max(significant_std * shown.prior.mean_std,
                            negligible_mean * shown.prior.checked.std()),
          .std = shown.prior.mean_std}});
-    result.load = detectable_error(std::vector<BoundedEstimate>{
+    const double load = detectable_error(std::vector<BoundedEstimate>{
         {.bound = significant_std * shown.loads.std, .std = shown.loads.std}});
+    // No net carries more.
+    if (load <= imbalance(net, net.unstressed_lengths(), net.nodes()).mean_tension) {
+        result.load = load;
+    }
     constexpr double of_steel = 12e-6;  // [1/K]
     double expansion = 0.0;             // mean, by 1 K [m]
     const Eigen::VectorXd& of_net = net.data().expansion;

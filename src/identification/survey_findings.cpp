@@ -100,10 +100,12 @@ void test_loads(CheckedResult& of) {
                                "the loads given. Chance allows +-{}.",
                                newton(check.force), check.force > 0.0 ? "downwards" : "upwards",
                                newton(check.std)),
-         .next = of.is_load_first()
-                     ? "Check loads and weights of the net, of its cables, clamps and cladding. If "
-                       "they are not known, state how uncertain the load of each node is."
-                     : of.other_cause.advice()});
+         .next =
+             of.is_load_first()
+                 ? "Check loads and weights of the net, of its cables, clamps and cladding, and "
+                   "the heights of supports and targets. If loads are not known, state how "
+                   "uncertain that of each node is."
+                 : of.other_cause.advice()});
 }
 
 void test_frame(CheckedResult& of) {

@@ -26,7 +26,7 @@ struct DetectableErrors {
     double temperature = std::numeric_limits<double>::infinity();
     /// Of all force measurements, by the same part; infinite for fewer than two [-].
     double force_scale = std::numeric_limits<double>::infinity();
-    /// Vertical, at each free node, besides the loads given [N].
+    /// Vertical, at each free node, besides the loads given; infinite above the mean tension [N].
     double load = std::numeric_limits<double>::infinity();
 };
 
