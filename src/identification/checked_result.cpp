@@ -136,13 +136,6 @@ bool CheckedResult::has_mean() const {
     return check.has_mean() && std::abs(check.mean) > negligible_mean * result.length_prior.std();
 }
 
-bool CheckedResult::is_load_first() const {
-    const auto& [ratio, std] = noise();
-    return other_cause.is_load_likeliest &&
-           (!noise().is_contradicted() ||
-            gain_of_loads(result) > gain_of_scale(ratio, 0.5 / (std * std)));
-}
-
 bool CheckedResult::has_narrow_prior() const {
     const auto outliers = static_cast<double>(result.length_outliers.size());
     return outliers >= many_lengths &&

@@ -21,7 +21,7 @@ inline constexpr double far_too_small = 1.2;
 struct OtherCause {
     double gain = 0.0;  ///< by which it makes the survey likelier, logarithm
     std::string name;
-    bool is_load_likeliest = false;  ///< of scale, frame, common mean and a missing load
+    bool is_load_likeliest = false;  ///< a missing one, of it, scale, frame and common mean
 
     [[nodiscard]] std::string advice() const;
 };
@@ -46,8 +46,6 @@ struct CheckedResult {
     /// furthest out.
     [[nodiscard]] bool has_scale() const;
     [[nodiscard]] bool has_mean() const;  ///< of all lengths, that does harm
-    /// Whether a missing load explains more than scale, frame, common mean and noise.
-    [[nodiscard]] bool is_load_first() const;
     /// Whether so many lengths are outliers that the prior is too narrow rather than each cable
     /// wrong.
     [[nodiscard]] bool has_narrow_prior() const;

@@ -53,6 +53,10 @@ std::vector<std::string> largest_cluster(const CableNet& net,
     return largest;
 }
 
+/// Without it no standard deviation is the remedy.
+constexpr std::string_view load_first =
+    "Look for the missing load first: targets scatter by it, too.";
+
 /// "along z by 0.9mm, 1.51 times the standard deviation given, 0.6mm"
 std::string axis_text(const CheckedResult& of, int axis) {
     const double ratio = of.result.scales.noise_by_axis[axis].ratio;
@@ -73,11 +77,12 @@ void test_noise_along_axes(CheckedResult& of) {
             .reason = fmt::format("In the net's frame the survey scatters {}, and less along the "
                                   "rest. Chance allows 1 +- {:.2f}.",
                                   fmt::join(texts, ", and "), std),
-            .next = !of.is_noise_likelier()   ? of.other_cause.advice()
-                    : of.survey.has_own_noise ? "Correct the standard deviations of this axis in "
-                                                "the survey (sx, sy, sz)."
-                                              : "Give a standard deviation for each axis in the "
-                                                "survey (sx, sy, sz)."});
+            .next = of.other_cause.is_load_likeliest ? std::string(load_first)
+                    : !of.is_noise_likelier()        ? of.other_cause.advice()
+                    : of.survey.has_own_noise
+                        ? "Correct these standard deviations in the survey (sx, sy, sz)."
+                        : "Give a standard deviation for each axis in the "
+                          "survey (sx, sy, sz)."});
 }
 
 }  // namespace
@@ -101,7 +106,7 @@ void test_loads(CheckedResult& of) {
                                newton(check.force), check.force > 0.0 ? "downwards" : "upwards",
                                newton(check.std)),
          .next =
-             of.is_load_first()
+             of.other_cause.is_load_likeliest
                  ? "Check loads and weights of the net, of its cables, clamps and cladding, and "
                    "the heights of supports and targets. If loads are not known, state how "
                    "uncertain that of each node is."
@@ -164,6 +169,8 @@ void test_noise(CheckedResult& of) {
         finding.next =
             "It looks computed, not measured. If it was, give no noise: taut then takes it as "
             "exact.";
+    } else if (of.other_cause.is_load_likeliest) {
+        finding.next = load_first;
     } else if (of.is_noise_likelier()) {
         finding.remedy = Trust::Remedy{"noise", of.survey.has_own_noise ? "estimate" : found};
         finding.next = fmt::format(

@@ -115,7 +115,7 @@ Trust trust_of(const CableNet& net, const Survey& survey, const Identification& 
     CheckedResult of(net, survey, result);
     test_end(of);
     const bool is_noise_first = of.is_noise_likelier();
-    if (of.is_load_first()) {
+    if (of.other_cause.is_load_likeliest) {
         test_loads(of);
     }
     test_frame(of);
@@ -131,7 +131,7 @@ Trust trust_of(const CableNet& net, const Survey& survey, const Identification& 
     if (!is_prior_first) {
         test_prior(of);
     }
-    if (!of.is_load_first()) {
+    if (!of.other_cause.is_load_likeliest) {
         test_loads(of);
     }
     test_lengths(of);

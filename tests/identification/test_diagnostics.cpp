@@ -778,7 +778,30 @@ TEST(Diagnostics, OfAMissingLoadNameItFirst) {
 TEST(Diagnostics, OfAMissingLoadNameWhatExplainsMoreFirst) {
     SimulatedSurvey s = survey_of(net(), prior, 12);
     s.survey.form.row(2).array() += 0.003;
-    EXPECT_EQ(identified(s.survey, prior).trust.findings.at(0).kind, Kind::survey_frame);
+    Identification result = identified(s.survey, prior);
+    EXPECT_EQ(result.trust.findings.at(0).kind, Kind::survey_frame);
+    const auto advice = [&] {
+        const Trust trust = trust_of(net(), s.survey, result);
+        return std::ranges::find(trust.findings, Kind::missing_load, &Trust::Finding::kind)->next;
+    };
+    result.load_check = {.force = -9.0, .std = 1.0};
+    EXPECT_EQ(advice(), "Look at the frame of the survey first: it explains more.");
+    // Noise explains more, but may be the load's: another standard deviation is not the remedy.
+    result.frame_check = {};
+    result.prior_check.mean = 0.0;
+    result.scales.noise = {.ratio = 1.8, .std = 0.02};
+    EXPECT_THAT(advice(), testing::HasSubstr("Check loads and weights"));
+    for (const std::vector<FoundScale>& axes :
+         {std::vector<FoundScale>(),
+          {{.ratio = 1.0, .std = 0.1}, {.ratio = 1.0, .std = 0.1}, {.ratio = 2.5, .std = 0.1}}}) {
+        result.scales.noise_by_axis = axes;
+        const Trust trust = trust_of(net(), s.survey, result);
+        const auto noise_found =
+            std::ranges::find(trust.findings, Kind::survey_noise, &Trust::Finding::kind);
+        EXPECT_EQ(trust.findings.at(0).kind, Kind::missing_load);
+        EXPECT_FALSE(noise_found->remedy);
+        EXPECT_THAT(noise_found->next, testing::HasSubstr("missing load first"));
+    }
 }
 
 // Where many edges move common parameters to (marginal-mode), loads are among these.
