@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "taut/identification/identify.hpp"
+
+namespace taut {
+
+struct MethodChoice {
+    IdentificationMethod method = IdentificationMethod::balance;
+    std::string reason;
+};
+
+/// Checks net, survey and options against each other.
+/// @return the method asked for, or the one that suits the input
+/// @throws std::invalid_argument, SurveyError as identify()
+[[nodiscard]] MethodChoice checked_method(const CableNet& net, const Survey& survey,
+                                          const LengthPrior& prior, const IdentifyOptions& options);
+
+}  // namespace taut
