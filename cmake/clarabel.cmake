@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 
 # taut::clarabel_c, the conic solver behind its C interface: built by cargo from the locked list of
-# crates. AUTO takes it where cargo is recent enough. Afterwards TAUT_HAS_CLARABEL tells.
+# crates. AUTO takes it where cargo is recent enough. TAUT_HAS_CLARABEL is the outcome.
 set(TAUT_CARGO_MINIMUM 1.71)  # rust-version of extern/clarabel_c/Cargo.toml
 set(TAUT_HAS_CLARABEL OFF)
 
@@ -45,7 +45,7 @@ if(TAUT_HAS_CLARABEL)
         DEPENDS ${crate}/Cargo.toml ${crate}/Cargo.lock ${crate}/src/lib.rs
         COMMENT "Building the conic solver Clarabel with cargo")
     add_custom_target(taut_clarabel_c DEPENDS ${library})
-    # Rust compiles its own symbols to be seen: the linker is told not to pass them on.
+    # Rust compiles its own symbols to be seen: the linker must not pass them on.
     set(TAUT_HIDE_CLARABEL)
     if(NOT APPLE AND NOT TAUT_CARGO_TARGET)
         set(TAUT_HIDE_CLARABEL LINKER:--exclude-libs,libclarabel_c.a)

@@ -31,7 +31,7 @@ if(TAUT_BUILD_MPI)
     install(TARGETS taut_mpi COMPONENT cluster)
 endif()
 
-# For pkg-config. A shared library finds for itself what it needs; with a static one, --static tells.
+# For pkg-config. A shared library finds for itself what it needs; for a static one pass --static.
 if(NOT BUILD_SHARED_LIBS)
     if(TAUT_HAS_CLARABEL)
         set(TAUT_PC_CLARABEL "-Wl,--exclude-libs,libclarabel_c.a -lclarabel_c -lpthread -ldl -lm")

@@ -8,7 +8,7 @@ target_compile_options(taut_warnings INTERFACE
     -Wcast-qual -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
     $<$<BOOL:${TAUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# In sources that are compiled as one, a name of one hides that of another: only each by itself tells (preset debug, lint).
+# In sources that are compiled as one, a name of one hides that of another: only a build of each by itself shows it (preset debug, lint).
 if(CMAKE_UNITY_BUILD)
     target_compile_options(taut_warnings INTERFACE -Wno-shadow)
 endif()

@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libeigen3-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "lengths of a tensioned cable net from one survey (development)
-taut tells how long each cable of a built net is, how tight and how sure that
+taut estimates how long each cable of a built net is, how tight and how sure that
 is. This package holds what programs are built with: headers, libraries to
 link, and files for CMake and pkg-config.")
 
@@ -45,7 +45,7 @@ if(BUILD_SHARED_LIBS)
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "lengths of a tensioned cable net from one survey (libraries)
-taut tells how long each cable of a built net is, how tight and how sure that
+taut estimates how long each cable of a built net is, how tight and how sure that
 is. This package holds the libraries that programs run with.")
     # For packages made on top of this one: what they link, and from which version on. CPack's own
     # would call ldconfig from a script; Debian's way is a trigger.
@@ -74,7 +74,7 @@ if(TAUT_BUILD_APP)
         set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${library_package} ${same_version}")
     endif()
     set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "lengths of a tensioned cable net from one survey (program)
-taut tells how long each cable of a built net is, how tight, how sure that is,
+taut estimates how long each cable of a built net is, how tight, how sure that is,
 and which turnbuckle to turn how far. Surveys go in as they come from the
 instrument, results come out as JSON, CSV and reports for any browser.")
 endif()
@@ -88,7 +88,7 @@ if(TAUT_BUILD_MPI)
         set(CPACK_DEBIAN_CLUSTER_PACKAGE_DEPENDS "${library_package} ${same_version}")
     endif()
     set(CPACK_DEBIAN_CLUSTER_DESCRIPTION "lengths of a tensioned cable net from one survey (program for clusters)
-taut tells how long each cable of a built net is, how tight and how sure that
+taut estimates how long each cable of a built net is, how tight and how sure that
 is. This package holds the program that samples, trains and tries methods over
 the nodes of a cluster, by MPI.")
 endif()

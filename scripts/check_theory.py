@@ -19,7 +19,7 @@ def main():
         f"docs/theory.md: (({tag})) is there twice" for tag in set(tags) if tags.count(tag) > 1
     ]
     problems += [
-        f"docs/theory.md: **({tag})** tells no place" for tag in tags if f"**({tag})**" not in page
+        f"docs/theory.md: **({tag})** names no place" for tag in tags if f"**({tag})**" not in page
     ]
     for file in re.findall(r"`((?:src|include|scripts)/[\w/.]+)`", page):
         if not (ROOT / file).exists():

@@ -19,7 +19,7 @@ build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-de
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy python3-matplotlib)
 lint=(clang-format-19 clang-tidy-19 python3-venv)
-# libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
+# libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they report.
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)
 # Of tests/hostile: calls of the system are made to fail.
 hostile=(python3-numpy strace)

@@ -398,7 +398,7 @@ void bind_plan(nb::module_& module) {
           "Standard deviation of the planned form along the normal, root mean square over the "
           "nodes; 0 without posterior samples [m]."},
          {"suggested_targets",
-          "Targets whose survey would tell most of the planned form, the best first, at most ten; "
+          "Targets whose survey would show most of the planned form, the best first, at most ten; "
           "empty without suggest_targets. Of each: node, and normal_std after a survey of this and "
           "those before it [m]."},
          {"form_std",

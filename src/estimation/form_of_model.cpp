@@ -61,7 +61,7 @@ Points FormOfModel::solve(const Points& right) const {
     return result;
 }
 
-bool FormOfModel::settle(Iterate& iterate, double tolerance) {
+bool FormOfModel::converge(Iterate& iterate, double tolerance) {
     constexpr int most_iterations = 60;
     constexpr double least_part = 1e-4;
     const auto imbalance = [&](const Iterate& at) -> Points {

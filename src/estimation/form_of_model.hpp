@@ -16,7 +16,7 @@ public:
 
     /// Moves the free nodes into balance; false where that does not succeed.
     /// @param tolerance of places [m]
-    [[nodiscard]] bool settle(Iterate& iterate, double tolerance);
+    [[nodiscard]] bool converge(Iterate& iterate, double tolerance);
     /// H^-1 of the free nodes' part, 0 at supports (3 x n), with the stiffness of the last step.
     [[nodiscard]] Points solve(const Points& right) const;
 

@@ -161,7 +161,7 @@ std::optional<ChainState> Chain::state_at(Iterate iterate) {
             return std::nullopt;
         }
     }
-    if (!m_form.settle(iterate, m_tolerance)) {
+    if (!m_form.converge(iterate, m_tolerance)) {
         return std::nullopt;
     }
     const Eigen::VectorXd shared =

@@ -118,8 +118,8 @@ ModelPerturbations perturbations_of(const CableNet& net,
             })};
 }
 
-/// Edges that may be slack, as far as anyone can tell, are known by their prior alone. Edges of the
-/// slack set are slack: no length of the prior makes them taut.
+/// Edges that may be slack, as far as the survey shows, are known by their prior alone. Edges of
+/// the slack set are slack: no length of the prior makes them taut.
 void set_open_edges(Identification& result, const std::vector<LengthPrior>& priors,
                     const std::vector<bool>& slack_set) {
     for (size_t i = 0; i < result.edges.size(); ++i) {

@@ -104,17 +104,17 @@ void object(CableFrequency& found, const FrequencyRange& range, bool is_given) {
     }
     const auto seen = std::ranges::count_if(first.modes, [](int mode) { return mode > 0; });
     const bool is_sparse = 2 * seen < *std::ranges::max_element(first.modes);
-    std::optional<Fundamental> rival = second_fundamental(found, range);
+    std::optional<Fundamental> second = second_fundamental(found, range);
     if (first.probability < likely && found.candidates.size() > 1 &&
         found.candidates[1].probability > 0.1 * first.probability) {
-        rival = found.candidates[1];
+        second = found.candidates[1];
     }
     if (!is_given && seen < fewest_modes) {
         found.message = fmt::format(
             "no fundamental explains {} peaks, and of fewer the modes are not known", fewest_modes);
-    } else if (rival) {
+    } else if (second) {
         found.message = fmt::format("fundamentals of {} and {} explain peaks about equally well",
-                                    hertz(first.frequency), hertz(rival->frequency));
+                                    hertz(first.frequency), hertz(second->frequency));
     } else if (first.probability < likely || (!is_given && is_sparse)) {
         found.message = "no fundamental explains enough of the peaks";
     } else if (!is_given && is_mains(first)) {
@@ -158,7 +158,7 @@ CableFrequency cable_frequency(const VibrationRecord& record,
     found.duration = static_cast<double>(record.signals.rows()) / record.rate;
     found.resolution = spectrum.resolution;
     found.spectrum_step = spectrum.step;
-    // Below, the window does not tell an oscillation from a trend.
+    // Below, the window does not separate an oscillation from a trend.
     constexpr double least_cells = 3.0;
     found.searched = {.lowest = least_cells * spectrum.resolution,
                       .highest = highest_part * record.rate};

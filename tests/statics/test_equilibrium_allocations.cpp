@@ -13,7 +13,7 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 
-// GCC tells of the sanitizers by macros, Clang by features.
+// GCC shows the sanitizers by macros, Clang by features.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define TAUT_SANITIZED 1
 #elif defined(__has_feature)

@@ -28,7 +28,7 @@ const pages = new Map();
 
 before(async () => {
   reports = makeReports();
-  // Without a graphics card Chromium draws in software only when told that it may.
+  // Without a graphics card Chromium draws in software only by a flag.
   browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
   browserWithoutView = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
 });

@@ -71,7 +71,7 @@ test("reader and schema refuse the same changes of a result, at the same places"
     for (const path of members(result)) {
       // The format chooses the schema; the version and the net have words of their own.
       if (path[0] === "format" || path[0] === "version" || (path[0] === "cable_net" && path.length > 1)) continue;
-      // An interval has both ends or none, which no schema tells.
+      // An interval has both ends or none, which no schema expresses.
       const isEnd = name === "plan" && /^tension,edges,0,(lower|upper)$/.test(String(path));
       const isLeaf = typeof path.reduce((part, key) => part[key], result) !== "object";
       const ways = Object.entries(isLeaf ? { ...exact, ...loose } : exact);
