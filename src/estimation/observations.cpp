@@ -25,6 +25,14 @@ void Observations::scale_weight(int node, double factor) {
     }
 }
 
+void Observations::scale_stds(int node, const Eigen::Array3d& factors) {
+    weights.col(node).array() /= factors.square();
+    if (cross_weights.cols() > 0) {
+        cross_weights.col(node).array() /= Eigen::Array3d(
+            factors.x() * factors.y(), factors.x() * factors.z(), factors.y() * factors.z());
+    }
+}
+
 Points Observations::weighted(const Points& errors) const {
     return symmetric_products(weights, cross_weights, errors);
 }

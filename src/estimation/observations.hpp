@@ -60,6 +60,8 @@ struct Observations {
     [[nodiscard]] Eigen::Matrix3d load_covariance(int node) const;  ///< V of a node [N2]
     /// Multiplies S of a node.
     void scale_weight(int node, double factor);
+    /// Multiplies the standard deviations of a measured place along x, y and z.
+    void scale_stds(int node, const Eigen::Array3d& factors);
     /// S e of errors of places (3 x n) [1/m].
     [[nodiscard]] Points weighted(const Points& errors) const;
     /// e' S e of errors of places (3 x n).

@@ -73,7 +73,7 @@ OtherCause other_cause_of(const CheckedResult& of) {
 
 /// Whether one ratio is significantly above another.
 bool is_above(const FoundScale& one, const FoundScale& other) {
-    constexpr double significant = 3.0;  // standard deviations
+    constexpr double significant = 2.5;  // standard deviations
     return one.ratio > (1.0 + significant * std::hypot(one.std, other.std)) * other.ratio;
 }
 

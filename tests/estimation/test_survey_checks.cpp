@@ -8,6 +8,7 @@
 #include "estimation/frame_check.hpp"
 #include "estimation/load_check.hpp"
 #include "estimation/survey_fit.hpp"
+#include "estimation/variance_components.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace {
@@ -31,6 +32,71 @@ TEST(FrameCheck, FindsTheScaleAndTheMotionOfASurvey) {
     EXPECT_LT(check.scale_std, 0.001);
     EXPECT_NEAR(check.translation.y(), 0.005, 2e-3);
     EXPECT_TRUE(check.is_moved());
+}
+
+/// The scales of a survey whose noise along each axis is this many times as given.
+VarianceComponents components_of(const Eigen::Array3d& noise, double lengths, std::uint64_t seed) {
+    const CableNet net = hypar(8, 8);
+    const LengthPrior true_lengths{LengthPrior::Kind::normal, lengths * of_lengths.scale};
+    SimulatedSurvey s = simulate(net, true_lengths, of_survey, seed);
+    const Points errors = s.survey.form - s.truth.form;
+    s.survey.form += (errors.array().colwise() * (noise - 1.0)).matrix();
+    SurveyFit fit =
+        fit_survey(net, s.survey, PriorKnowledge(net, of_lengths), {.false_alarm_rate = 0.0});
+    Observations observations = fit.observations;
+    return estimate_components(fit.at, observations,
+                               std::vector<bool>(net.interior_edge_count(), false));
+}
+
+TEST(VarianceComponents, OfEachAxisAreFoundThoughTheLengthsAreTakenTooWide) {
+    // A common scale of the noise hides it in that of the lengths.
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        SCOPED_TRACE(seed);
+        const VarianceComponents found = components_of({3.0, 3.0, 1.0}, 0.5, seed);
+        ASSERT_EQ(found.noise_by_axis.size(), 3U);
+        for (const int plan : {0, 1}) {
+            EXPECT_NEAR(found.noise_by_axis[plan].ratio, 3.0, 1.0);
+            EXPECT_TRUE(found.noise_by_axis[plan].is_contradicted());
+        }
+        EXPECT_NEAR(found.noise_by_axis[2].ratio, 1.0, 0.3);
+    }
+}
+
+TEST(VarianceComponents, OfEvenNoiseAreThoseOfEachAxis) {
+    for (const double scale : {0.5, 1.0, 2.0}) {
+        for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+            SCOPED_TRACE(testing::Message() << scale << ", " << seed);
+            const VarianceComponents found =
+                components_of(Eigen::Array3d::Constant(scale), 1.0, seed);
+            EXPECT_NEAR(found.noise.ratio, scale, 0.25 * scale);
+            EXPECT_EQ(found.noise.is_contradicted(), scale != 1.0);
+            for (const FoundScale& axis : found.noise_by_axis) {
+                EXPECT_FALSE(scale <= 1.0 && axis.ratio > 1.0 && axis.is_contradicted());
+            }
+        }
+    }
+}
+
+TEST(VarianceComponents, AccuseNoAxisWhereAnotherIsBetterThanGiven) {
+    const VarianceComponents found = components_of({1.0, 1.0, 0.3}, 1.0, 1);
+    for (const FoundScale& axis : found.noise_by_axis) {
+        EXPECT_FALSE(axis.ratio > 1.0 && axis.is_contradicted());
+    }
+}
+
+TEST(Linearisation, TheDeterminantIsOfNoUnitOfItsOwn) {
+    const CableNet net = hypar(4, 4);
+    const SimulatedSurvey s = simulate(net, of_lengths, of_survey, 3);
+    const SurveyFit fit = fit_survey(net, s.survey, PriorKnowledge(net, of_lengths), {});
+    Observations wider = fit.observations;
+    wider.weights /= 9.0;
+    wider.variance *= 9.0;
+    const auto of = [&](const Observations& observations) {
+        return linearised_fit(fit.at.model(), fit.at.iterate, observations)
+            .linearisation.half_log_determinant(observations);
+    };
+    // All standard deviations are three times as large.
+    EXPECT_NEAR(of(fit.observations) - of(wider), net.interior_edge_count() * std::log(3.0), 1e-6);
 }
 
 /// The same net with a load at each free node, downwards.
