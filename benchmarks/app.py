@@ -9,7 +9,7 @@ import json
 import pathlib
 import subprocess
 
-from page_block import show
+from page_block import heading, show
 
 APP = pathlib.Path("build/app")
 LARGE = "hypar:45x45"
@@ -23,8 +23,7 @@ def measured(script, *arguments):
 def lines():
     speed = measured("app_speed.mjs", APP / "taut.html", "build/taut")
     memory = measured("app_memory.mjs", APP / "taut.wasm", LARGE)
-    yield "| work | in the page | by the program, one thread |"
-    yield "|---|---|---|"
+    yield from heading("work | in the page | by the program, one thread")
     yield f"| until the page is ready | {speed['ready']:.2f} s | |"
     for name, work in (("identify", "identify, 200 posterior samples"), ("plan", "plan, over these samples")):
         times = speed[name]
@@ -35,4 +34,4 @@ def lines():
 
 
 if __name__ == "__main__":
-    show("performance.md", "benchmarks/app.py", lines())
+    show("performance.md", __file__, lines())

@@ -15,13 +15,13 @@ import csv
 import json
 import pathlib
 import resource
-import subprocess
 import sys
-import tempfile
 
 import numpy as np
+from page_block import heading
+from simulation import holds, identify, percent, read_form, rms, spans, taut, temporary_folder
 
-THREADS = 2
+THREADS = ("--threads", 2)
 SURVEYS = 84
 # name, example, factor of stiffness, factor of tensions; those that hang have the tensions of their loads alone
 NETS = [
@@ -39,14 +39,6 @@ NETS = [
     ("hanging:10x10, 10 x as stiff", "hanging", 10, 1),
 ]
 BINS = [0.0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 1.0]  # a first bin of probability 0 alone
-
-
-def taut(*words):
-    return subprocess.run(["taut", *map(str, words), "--threads", str(THREADS)], capture_output=True, text=True)
-
-
-def spans(edges, form):
-    return np.linalg.norm(form[edges[:, 0]] - form[edges[:, 1]], axis=1)
 
 
 def hang(data):
@@ -91,18 +83,16 @@ class Net:
         hidden, gross = random.random(2) < 0.5
         for attempt in range(100):  # until the lengths find an equilibrium
             made = taut("form", self.folder / "net.json", "--prior", prior, "--seed", 1000 * number + attempt, "--lengths",
-                        self.folder / "lengths.csv", "-o", self.folder / "form.csv")
+                        self.folder / "lengths.csv", "-o", self.folder / "form.csv", *THREADS)
             if made.returncode == 0:
                 break
         else:
             sys.exit(f"survey {number}: 100 draws of lengths find no equilibrium: {made.stderr}")
         taut("survey", self.folder / "net.json", self.folder / "form.csv", "--noise", f"{noise}mm", "--drop",
-             "10%" if hidden else "0%", "--seed", number, "-o", self.folder / "survey.csv")
+             "10%" if hidden else "0%", "--seed", number, "-o", self.folder / "survey.csv", *THREADS)
         if gross:
             self.add_gross_errors(noise * 1e-3, random)
-        form = self.nodes.copy()
-        for row in csv.DictReader((self.folder / "form.csv").open()):
-            form[int(row["id"])] = [float(row[axis]) for axis in "xyz"]
+        form = read_form(self.folder / "form.csv", self.nodes)
         deviations = np.zeros(len(self.edges))
         for row in csv.DictReader((self.folder / "lengths.csv").open()):
             deviations[int(row["edge"])] = float(row["length_deviation"])
@@ -125,27 +115,24 @@ class Net:
             writer.writerows(rows)
 
 
-def identify(net, number):
+def outcome_of(net, number):
     """What became of one survey, against the truth."""
     prior, noise, deviations, tension = net.survey(number)
-    result_file = net.folder / "result.json"
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    ended = taut("identify", net.folder / "net.json", net.folder / "survey.csv", "--method", "map", "--prior", prior,
-                 "--prior-exact", "--noise", f"{noise}mm", "--frame", "net", "--uncertain", "none", "--quiet", "-o", result_file)
+    result, ended = identify(net.folder, "--method", "map", "--prior", prior, "--prior-exact", "--noise", f"{noise}mm", "--frame", "net",
+                             "--uncertain", "none", *THREADS)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     outcome = {"seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, "number": number,
                "message": ended.stderr.strip().splitlines()[-1] if ended.stderr.strip() else ""}
-    result = json.loads(result_file.read_text()) if result_file.exists() else {"status": "no result"}
-    result_file.unlink(missing_ok=True)
-    outcome["converged"] = result["status"] == "converged"
+    outcome["converged"] = bool(result) and result["status"] == "converged"
     if not outcome["converged"]:
         return outcome
     edges = result["edges"]
     of_slack = [tension[e["edge"]] <= 0 for e in edges if e["status"] == "slack"]
     reported = [e for e in edges + result["adjustable_edges"] if e["tension"] is not None]
     outcome.update(
-        inside=[e["lower"] - 1e-9 <= deviations[e["edge"]] <= e["upper"] + 1e-9 for e in edges],
-        tensions=[e["tension_lower"] <= tension[e["edge"]] <= e["tension_upper"] for e in reported],
+        inside=[holds(e, deviations[e["edge"]]) for e in edges],
+        tensions=[holds(e, tension[e["edge"]], "tension_") for e in reported],
         called_slack=len(of_slack), wrongly=len(of_slack) - sum(of_slack),
         missed=sum(tension[e["edge"]] <= 0 for e in edges if e["status"] in ("determined", "weakly_determined")),
         slack=[(e["slack_probability"], tension[e["edge"]] <= 0) for e in reported])
@@ -154,20 +141,16 @@ def identify(net, number):
     return outcome
 
 
-def percent(values):
-    return f"{100 * np.mean(values):.1f}" if len(values) else "-"
-
-
 def row(name, outcomes):
     converged = [one for one in outcomes if one["converged"]]
     seconds = [one["seconds"] for one in outcomes]
     inside = [x for one in converged for x in one["inside"]]
     tensions = [x for one in converged for x in one["tensions"]]
     errors = [one["mean_tension"] for one in converged if "mean_tension" in one]
-    rms = f"{100 * np.sqrt(np.mean(np.square(errors))):.2f}" if errors else "-"
+    error = f"{100 * rms(errors):.2f}" if errors else "-"
     slack = " | ".join(str(sum(one[key] for one in converged)) for key in ("called_slack", "wrongly", "missed"))
     return (f"| {name} | {len(outcomes)} | {len(converged)} | {np.median(seconds):.2f} | {max(seconds):.2f} | {percent(inside)} | "
-            f"{percent([bool(one['tensions']) for one in converged])} | {percent(tensions)} | {rms} | {slack} |")
+            f"{percent([bool(one['tensions']) for one in converged])} | {percent(tensions)} | {error} | {slack} |")
 
 
 def reliability(outcomes):
@@ -217,19 +200,18 @@ def main():
     print("standard deviations or none. Lengths and tensions are *inside* where the truth is in their 95 % intervals; *reported* is the")
     print("part of the surveys with tensions. *Missed* are slack edges reported as determined or weakly determined. Times are of the")
     print("processor. Counts are of the surveys that converged.\n")
-    print("| net | surveys | converged | median [s] | largest [s] | lengths inside [%] | tensions reported [%] | inside [%] | "
-          "RMS error of the mean tension [%] | called slack | of them taut | missed |")
-    print("|" + "---|" * 12, flush=True)
+    print(*heading("net | surveys | converged | median [s] | largest [s] | lengths inside [%] | tensions reported [%] | inside [%] | "
+                   "RMS error of the mean tension [%] | called slack | of them taut | missed"), sep="\n", flush=True)
     every, failures = [], []
     for name, *kind in NETS:
-        with tempfile.TemporaryDirectory() as folder:
-            net = Net(*kind, pathlib.Path(folder))
-            outcomes = [identify(net, number) for number in range(surveys)]
+        with temporary_folder() as folder:
+            net = Net(*kind, folder)
+            outcomes = [outcome_of(net, number) for number in range(surveys)]
         print(row(name, outcomes), flush=True)
         every += outcomes
         failures += [f"- {name}, survey {one['number']}: {one['message']}" for one in outcomes if not one["converged"]]
     bins = reliability(every)
-    print("\n## Slack probabilities\n\n| reported probability | edges | mean [%] | edges that are slack [%] |\n|---|---|---|---|")
+    print("\n## Slack probabilities\n", *heading("reported probability | edges | mean [%] | edges that are slack [%]"), sep="\n")
     for name, edges, mean, part in bins:
         print(f"| {name} | {edges} | {100 * mean:.1f} | {100 * part:.3g} |")
     print("\n## Surveys that did not converge\n")

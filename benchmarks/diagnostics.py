@@ -5,16 +5,13 @@
     PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write [SURVEYS [CASE]]
 """
 
-import json
-import pathlib
 import sys
-import tempfile
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from coverage import Net, quantity, taut
-from page_block import DOCS, show
+from page_block import DOCS, by, heading, show
+from simulation import Net, either_of, holds, identify, percent, quantity, rms, temporary_folder, write_survey
 
 SURVEYS = 50
 NET = "hilo-quarter"
@@ -185,18 +182,21 @@ def two_stations(by):
     return lambda place, random: place + by * (place[0] > 0) * np.array([0.6, 0, 0.8])
 
 
+def straight_pairs(net, node, edges):
+    """Those edges of a node that go straight on through it, two and two."""
+    way = {e: net.nodes[net.edges[e]].sum(axis=0) - 2 * net.nodes[node] for e in edges if node in net.edges[e]}
+    return [(a, b) for a in way for b in way
+            if a < b and way[a] @ way[b] < -0.9 * np.linalg.norm(way[a]) * np.linalg.norm(way[b])]
+
+
 def scaled_runs(std):
     """Each cable, straight through its nodes, has a scale of its own."""
 
     def alter(net, deviations, nodes, random):
         run = np.arange(len(net.edges))
         for node in net.free:
-            at = np.flatnonzero((net.edges == node).any(axis=1))
-            way = {e: net.nodes[net.edges[e]].sum(axis=0) - 2 * net.nodes[node] for e in at}
-            for a in at:
-                for b in at:
-                    if a < b and way[a] @ way[b] < -0.9 * np.linalg.norm(way[a]) * np.linalg.norm(way[b]):
-                        run[run == run[b]] = run[a]
+            for a, b in straight_pairs(net, node, range(len(net.edges))):
+                run[run == run[b]] = run[a]
         scale = std * random.normal(size=len(net.edges))[run]
         deviations[net.interior] += (scale * np.array(net.data["unstressed_lengths"]))[net.interior]
         return set()
@@ -209,11 +209,7 @@ def slipped(by):
 
     def alter(net, deviations, nodes, random):
         while True:
-            node = int(random.choice(net.free))
-            at = [e for e in net.interior.tolist() if node in net.edges[e]]
-            way = {e: net.nodes[net.edges[e]].sum(axis=0) - 2 * net.nodes[node] for e in at}
-            pairs = [(a, b) for a in at for b in at
-                     if a < b and way[a] @ way[b] < -0.9 * np.linalg.norm(way[a]) * np.linalg.norm(way[b])]
+            pairs = straight_pairs(net, random.choice(net.free), net.interior.tolist())
             if pairs:
                 a, b = pairs[random.integers(len(pairs))]
                 deviations[[a, b]] += by, -by
@@ -231,33 +227,29 @@ def moved(shift=(0, 0, 0), scale=1.0):
     return lambda places, random: scale * places + np.array(shift)
 
 
+def of_net(net, prior, name, where="", **more):
+    """A case of another net, with the prior given; its name begins with both."""
+    return Case(f"{net}{where}, {prior}: {name}", truth=prior, given=prior, net=net, **more)
+
+
 CASES = [
     Case("nothing is wrong"),
     Case("nothing is wrong, the prior given", given="uniform:5mm"),
     Case("five cables 15 mm too long", alter=off("interior", 5, 0.015), suspects=5),
     Case("five cables 15 mm too long, the prior given", given="uniform:5mm", alter=off("interior", 5, 0.015), suspects=5),
-    Case("hypar:9x9, uniform:2mm: a cable 15 mm too long", truth="uniform:2mm", given="uniform:2mm",
-         alter=off("interior", 1, 0.015), suspects=1, net="hypar:9x9"),
-    Case("hypar:9x9, uniform:2mm: three cables 15 mm too long", truth="uniform:2mm", given="uniform:2mm",
-         alter=off("interior", 3, 0.015), suspects=3, net="hypar:9x9"),
-    Case("steel-roof, uniform:2mm: nothing is wrong", truth="uniform:2mm", given="uniform:2mm", net="steel-roof"),
-    Case("hypar:9x9, uniform:15mm: nothing is wrong, some edges are slack", truth="uniform:15mm", given="uniform:15mm",
-         net="hypar:9x9"),
-    Case("hypar:9x9, uniform:15mm: all turnbuckles 1 mm too long, some edges are slack", truth="uniform:15mm",
-         given="uniform:15mm", net="hypar:9x9", alter=off("adjustable", None, 0.001)),
-    *[Case(f"hypar:{n}x{n}, uniform:1mm: nothing is wrong", truth="uniform:1mm", given="uniform:1mm", net=f"hypar:{n}x{n}")
-      for n in (20, 28, 40, 160)],
-    Case("steel-roof, uniform:2mm: 30 K warmer", truth="uniform:2mm", given="uniform:2mm", alter=warmer(30.0),
-         net="steel-roof"),
-    *[Case(f"steel-roof, uniform:2mm: loads {percent} % heavier", truth="uniform:2mm", given="uniform:2mm",
-           alter=heavier(percent / 100), net="steel-roof") for percent in (5, 10)],
-    *[Case(f"hypar:9x9 under 200 N at each node, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9",
-           hangs=200.0, alter=heavier(percent / 100), options=options)
+    of_net("hypar:9x9", "uniform:2mm", "a cable 15 mm too long", alter=off("interior", 1, 0.015), suspects=1),
+    of_net("hypar:9x9", "uniform:2mm", "three cables 15 mm too long", alter=off("interior", 3, 0.015), suspects=3),
+    of_net("steel-roof", "uniform:2mm", "nothing is wrong"),
+    of_net("hypar:9x9", "uniform:15mm", "nothing is wrong, some edges are slack"),
+    of_net("hypar:9x9", "uniform:15mm", "all turnbuckles 1 mm too long, some edges are slack", alter=off("adjustable", None, 0.001)),
+    *[of_net(f"hypar:{n}x{n}", "uniform:1mm", "nothing is wrong") for n in (20, 28, 40, 160)],
+    of_net("steel-roof", "uniform:2mm", "30 K warmer", alter=warmer(30.0)),
+    *[of_net("steel-roof", "uniform:2mm", f"loads {part} % heavier", alter=heavier(part / 100)) for part in (5, 10)],
+    *[of_net("hypar:9x9", "uniform:2mm", name, " under 200 N at each node", hangs=200.0, alter=heavier(percent / 100), options=options)
       for name, percent, options in [("nothing is wrong", 0, ()), *[(f"loads {p} % heavier", p, ()) for p in (5, 10, 20)],
                                      ("loads 5 % heavier, --uncertain none", 5, ("--uncertain", "none"))]],
     Case("20 N at each node not given", given="uniform:5mm", alter=loaded(20.0)),
-    Case("hypar:5x5, uniform:2mm: 50 N at each node not given", truth="uniform:2mm", given="uniform:2mm", net="hypar:5x5",
-         alter=loaded(50.0)),
+    of_net("hypar:5x5", "uniform:2mm", "50 N at each node not given", alter=loaded(50.0)),
     Case("lengths uniform:7mm", truth="uniform:7mm", given="uniform:5mm"),
     Case("lengths normal:2.9mm", truth="normal:2.9mm", given="uniform:5mm"),
     Case("lengths bimodal:4mm", truth="bimodal:4mm", given="uniform:5mm"),
@@ -276,14 +268,13 @@ CASES = [
     *[Case(f"{text} not given", given="uniform:5mm", uncertain=[text])
       for text in ["stiffness:10%", "stiffness-each:5%", "temperature:20K", "adjustable:0.5mm", "supports:1mm"]],
     Case("EA 10 % lower", given="uniform:5mm", alter=softer(0.1)),
-    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9", alter=alter)
+    *[of_net("hypar:9x9", "uniform:2mm", name, alter=alter)
       for name, alter in [("nothing is wrong", None), ("EA 10 % lower", softer(0.1)), ("20 K warmer", warmer(20.0)),
                           ("all lengths 0.7 mm too long", shifted(0.0007)), ("a scale of 0.5 % of each cable", scaled_runs(0.005))]],
-    Case("hypar:5x5, uniform:2mm: nothing is wrong", truth="uniform:2mm", given="uniform:2mm", net="hypar:5x5"),
+    of_net("hypar:5x5", "uniform:2mm", "nothing is wrong"),
     Case("hypar:5x5: uniform:0.2mm given, lengths uniform:3mm", truth="uniform:3mm", given="uniform:0.2mm", net="hypar:5x5"),
     Case("a clamp slipped by 10 mm", given="uniform:5mm", alter=slipped(0.01), suspects=2),
-    Case("hypar:9x9, uniform:2mm: a clamp slipped by 10 mm", truth="uniform:2mm", given="uniform:2mm", alter=slipped(0.01),
-         suspects=2, net="hypar:9x9"),
+    of_net("hypar:9x9", "uniform:2mm", "a clamp slipped by 10 mm", alter=slipped(0.01), suspects=2),
     Case("two cables swapped", given="uniform:5mm", alter=swapped(), suspects=2),
     Case("EA of one direction 10 % lower", given="uniform:5mm", alter=softer_group(0.1)),
     Case("cables bed in", given="uniform:5mm", alter=bedding_in(0.3)),
@@ -292,7 +283,7 @@ CASES = [
     Case("turns that are not given, 5 mm", given="uniform:5mm", alter=turned(0.005)),
     Case("the frame bends by 1 mm", given="uniform:5mm", alter=moved_frame(lambda x: 0.004 * x * (1 - x))),
     Case("one side of the frame 2 mm off", given="uniform:5mm", alter=moved_frame(lambda x: 0.002 * (x > 0.9))),
-    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9", alter=alter, **more)
+    *[of_net("hypar:9x9", "uniform:2mm", name, alter=alter, **more)
       for name, alter, more in [
           ("EA of one direction 10 % lower", softer_group(0.1), {}), ("EA 10 % lower, five load cells", softer(0.1), {"cells": 5}),
           *[(f"five load cells{more}", None, {"cells": 5, "cells_off": off})
@@ -305,14 +296,12 @@ CASES = [
           ("survey drifts by 0.5 mm in 10 m", None, {"survey": drifting(0.0005)})]],
     Case("two stations 0.5 mm apart", given="uniform:5mm", survey=two_stations(0.0005)),
     Case("survey drifts by 0.5 mm in 10 m", given="uniform:5mm", survey=drifting(0.0005)),
-    Case("hypar:8x8, uniform:3mm: x and y exchanged", truth="uniform:3mm", given="uniform:3mm", net="hypar:8x8", frame=None,
-         survey=lambda place, random: place[[1, 0, 2]]),
+    of_net("hypar:8x8", "uniform:3mm", "x and y exchanged", frame=None, survey=lambda place, random: place[[1, 0, 2]]),
     Case("noise given three times too small", given="uniform:5mm", given_noise="0.1667mm"),
     Case("noise given 1.5 times too small", given="uniform:5mm", given_noise="0.333mm"),
     Case("noise given two times too large", given="uniform:5mm", given_noise="1mm"),
     Case("noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", given="uniform:5mm", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
-    Case("hypar:9x9, uniform:2mm: noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", truth="uniform:2mm", given="uniform:2mm",
-         net="hypar:9x9", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
+    of_net("hypar:9x9", "uniform:2mm", "noise 0.3, 0.3 and 1.2 mm along x, y and z, given 0.6 mm", noise="0.6mm", by_axis=(0.5, 0.5, 2)),
     *[Case(f"hypar:9x9, uniform:2mm{more}: noise 1.5, 1.5 and 0.5 mm along x, y and z, given 0.5 mm", truth="uniform:2mm", given=given,
            net="hypar:9x9", by_axis=(3, 3, 1)) for more, given in [("", "uniform:2mm"), (", no prior given", None)]],
     Case("noise not known, --noise estimate", given="uniform:5mm", given_noise="estimate"),
@@ -349,32 +338,26 @@ def try_survey(net, case, folder, seed):
     net.alter = alter
     form, tension, deviations, _ = net.build(case.truth, case.uncertain, seed)
     random = np.random.default_rng(10_000 + seed)
-    seen = set()
-    with (folder / "survey.csv").open("w") as out:
-        for node in net.free:
-            place = form[node] + case.error(random)
-            if case.survey:
-                place = case.survey(place, random)
-            if random.random() >= 0.1:
-                seen.add(int(node))
-                out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
-    command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", case.given_noise, *case.options]
+
+    def place(node):
+        measured = form[node] + case.error(random)
+        return case.survey(measured, random) if case.survey else measured
+
+    seen = write_survey(folder / "survey.csv", net.free, place, random)
+    words = ["--noise", case.given_noise, *case.options, "--draws", "100"]
     if case.cells:
         rows = [f"{edge},{tension[edge] * (1 + case.cells_off) * (1 + 0.02 * random.normal())}"
                 for edge in random.choice(len(tension), case.cells, replace=False)]
         (folder / "forces.csv").write_text("edge,tension\n" + "\n".join(rows) + "\n")
-        command += ["--forces", folder / "forces.csv"]
-    command += ["--draws", "100", "--quiet", "-o", folder / "result.json"]
-    command += ["--frame", case.frame] if case.frame else []
-    command += ["--prior", case.given] if case.given else []
-    ended = taut(*command)
-    if not (folder / "result.json").exists():
+        words += ["--forces", folder / "forces.csv"]
+    words += ["--frame", case.frame] if case.frame else []
+    words += ["--prior", case.given] if case.given else []
+    result, _ = identify(folder, *words)
+    if not result:
         return {"said": "refused", "why": "refused"}
-    result = json.loads((folder / "result.json").read_text())
-    (folder / "result.json").unlink()
-    inside = [e["lower"] - 1e-9 <= deviations[e["edge"]] <= e["upper"] + 1e-9 for e in result["edges"]]
+    inside = [holds(e, deviations[e["edge"]]) for e in result["edges"]]
     given = [e for e in result["edges"] + result["adjustable_edges"] if e["tension"] is not None]
-    tight = [e["tension_lower"] - 1e-9 <= tension[e["edge"]] <= e["tension_upper"] + 1e-9 for e in given]
+    tight = [holds(e, tension[e["edge"]], "tension_") for e in given]
     errors = [e["length_deviation"] - deviations[e["edge"]] for e in result["edges"]]
     found = result["diagnostics"]
     named = {("edge", e["edge"]) for e in found["length_outliers"]}
@@ -382,12 +365,8 @@ def try_survey(net, case, folder, seed):
                   if e.get("beside_target") and ("edge", e["edge"]) in suspects}
     false_alarms = len(named - suspects) + sum(o["id"] not in confounded for o in result["survey"]["outliers"])
     for entry in found["boundary"]:
-        kind, other = ("edge", "support") if "edge" in entry else ("support", "edge")
-        either = {(kind, entry.get("edge", entry.get("node")))}
-        if entry["confounded_with"] is not None:
-            either.add((other, int(entry["confounded_with"])))
-        false_alarms += not either & suspects
-        named |= either
+        false_alarms += not either_of(entry) & suspects
+        named |= either_of(entry)
     known = seen | set(net.data["supports"])
     shown = {one for one in suspects if ends_of(net, one) <= known}
     return {
@@ -395,7 +374,7 @@ def try_survey(net, case, folder, seed):
         "why": result["findings"][0]["kind"] if result["findings"] else "",
         "inside": np.mean(inside),
         "tight": np.mean(tight) if tight else None,
-        "squares": np.mean(np.square(errors)),
+        "error": rms(errors),
         "shown": len(shown),
         "named": len(named & shown),
         "false_alarms": false_alarms,
@@ -403,9 +382,8 @@ def try_survey(net, case, folder, seed):
 
 
 def row(case, surveys):
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        net = Net(case.net, 1, folder, load=case.hangs)
+    with temporary_folder() as folder:
+        net = Net(case.net, folder, load=case.hangs)
         if len(net.edges) > 5000:
             surveys //= 10
         elif not case.net.startswith("hypar"):  # the others are larger
@@ -415,13 +393,12 @@ def row(case, surveys):
     said = ", ".join(f"{name} {count}" for name, count in Counter(one["said"] for one in tried).most_common())
     silent = sum(one["said"] == "passed" and min(one["inside"], one["tight"] or 1.0) < 0.85 for one in given)
     why = Counter(one["why"] for one in tried if one["why"])
-    inside = f"{100 * np.mean([one['inside'] for one in given]):.1f}" if given else "-"
-    tight = [one["tight"] for one in given if one["tight"] is not None]
-    tensions = f"{100 * np.mean(tight):.1f}" if tight else "-"
-    rms = f"{1e3 * np.sqrt(np.mean([one['squares'] for one in given])):.2f}" if given else "-"
+    inside = percent([one["inside"] for one in given])
+    tensions = percent([one["tight"] for one in given if one["tight"] is not None])
+    error = f"{1e3 * rms([one['error'] for one in given]):.2f}" if given else "-"
     named = f"{sum(one['named'] for one in given)} of {sum(one['shown'] for one in given)}" if case.suspects else "-"
     false_alarms = sum(one["false_alarms"] for one in given)
-    return (f"| {case.name} | {inside} | {tensions} | {rms} | {named} | {false_alarms} | {said} | {silent} | "
+    return (f"| {case.name} | {inside} | {tensions} | {error} | {named} | {false_alarms} | {said} | {silent} | "
             f"{why.most_common(1)[0][0] if why else ''} |")
 
 
@@ -436,16 +413,14 @@ def lines():
     surveys = int(words[0]) if words else SURVEYS
     wanted = words[1] if len(words) > 1 else ""
     kept = rows_of_page() if wanted and "--write" in sys.argv else {}
-    yield (f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write`, {2 * surveys // 5} surveys a row, {surveys} on a hypar, "
-           f"{surveys // 10} on one of more than 5000 edges "
-           "(`--write 50 CASE` makes the rows of some cases anew):\n")
-    yield ("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | verdict "
-           "| passed below 85 % | the worst finding, most often |")
-    yield "|" + "---|" * 9
+    yield by(__file__, f", {2 * surveys // 5} surveys a row, {surveys} on a hypar, {surveys // 10} on one of more than 5000 edges "
+                       "(`--write 50 CASE` makes the rows of some cases anew)")
+    yield from heading("what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | verdict | "
+                       "passed below 85 % | the worst finding, most often")
     made = [case for case in CASES if wanted in case.name or case.name in kept]
     with ThreadPoolExecutor(2) as pool:
         yield from pool.map(lambda case: row(case, surveys) if wanted in case.name else kept[case.name], made)
 
 
 if __name__ == "__main__":
-    show("diagnostics.md", "benchmarks/diagnostics.py", lines())
+    show("diagnostics.md", __file__, lines())

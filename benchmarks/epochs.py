@@ -8,14 +8,11 @@ docs/diagnostics.md.
 
 import csv
 import json
-import pathlib
-import sys
-import tempfile
 from collections import Counter
 
 import numpy as np
-from coverage import Net, drawn, quantity, taut
-from page_block import show
+from page_block import by, count_given, heading, show
+from simulation import Net, drawn, holds, identify, percent, quantity, read_form, taut, temporary_folder, write_points, write_survey
 
 JOBS = 10
 LAW = "uniform:5mm"
@@ -52,12 +49,9 @@ class Job:
         data["nodes"] = [[x, y, z + self.moved.get(n, 0.0)] for n, (x, y, z) in enumerate(data["nodes"])]
         (self.folder / "built.json").write_text(json.dumps(data))
         taut("form", self.folder / "built.json", "-o", self.folder / "built.csv", "--quiet")
-        form = [row for row in csv.reader((self.folder / "built.csv").open()) if row[0] != "id"]
-        with (self.folder / name).open("w") as out:
-            for node in self.net.free:
-                place = np.array(form[node][1:4], float) + quantity(noise or self.noise) * self.random.normal(size=3)
-                if self.random.random() >= quantity(self.hidden):
-                    out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
+        form, std = read_form(self.folder / "built.csv", np.zeros_like(self.net.nodes)), quantity(noise or self.noise)
+        write_survey(self.folder / name, self.net.free, lambda node: form[node] + std * self.random.normal(size=3), self.random,
+                     quantity(self.hidden))
 
     def give(self, turned):
         """Writes what is given of the turns."""
@@ -68,17 +62,13 @@ class Job:
 
     def identify(self, survey, *options):
         """Length deviations, whether their intervals hold the truth, and the result."""
-        result = self.folder / "result.json"
-        result.unlink(missing_ok=True)
-        ended = taut("identify", self.folder / "net.json", self.folder / survey, "--noise", self.noise, "--frame", "net",
-                     "--uncertain", "none", "--quiet", "-o", result, *self.options, *options)
-        if not result.exists():
+        data, ended = identify(self.folder, "--noise", self.noise, "--frame", "net", "--uncertain", "none", *self.options, *options,
+                               survey=survey)
+        if not data:
             return None, None, {"trust": {"verdict": "refused", "reasons": [ended.stderr.strip()]}}
-        data = json.loads(result.read_text())
         found = np.array([e["length_deviation"] for e in data["edges"]])
         truth = self.deviations[[e["edge"] for e in data["edges"]]]
-        inside = [e["lower"] - 1e-9 <= t <= e["upper"] + 1e-9 for e, t in zip(data["edges"], truth)]
-        return found - truth, np.mean(inside), data
+        return found - truth, np.mean([holds(e, t) for e, t in zip(data["edges"], truth)]), data
 
     def again(self, survey="second.csv", turned="turned.csv"):
         epoch = str(self.folder / survey) + (f":{self.folder / turned}" if turned else "")
@@ -227,8 +217,7 @@ def false_premise(name, alter, net, folder, jobs):
         done, slip, suspects = alter(job)
         if job.is_copied:
             rows = [row.split(",") for row in (folder / "first.csv").read_text().split()]
-            (folder / "second.csv").write_text(
-                "".join(f"{node},{float(x):.4f},{float(y):.4f},{float(z):.4f}\n" for node, x, y, z in rows))
+            write_points(folder / "second.csv", [row[0] for row in rows], [[f"{float(x):.4f}" for x in row[1:]] for row in rows])
         else:
             job.survey("second.csv", done, slip)
         job.give(job.given)
@@ -248,27 +237,23 @@ def false_premise(name, alter, net, folder, jobs):
         false_alarms += len(accused - suspects) if suspects or name == "nothing" else 0
         false_alarms += sum(len(epoch["outliers"]) for epoch in result["epochs"])
     verdicts = ", ".join(f"{verdict} {count}" for verdict, count in said.most_common())
-    share = f"{100 * np.mean(inside):.1f}" if inside else "-"
-    return f"| {name} | {share} | {f'{named} of {expected}' if expected else '-'} | {false_alarms} | {verdicts} | {silent} |"
+    return f"| {name} | {percent(inside)} | {f'{named} of {expected}' if expected else '-'} | {false_alarms} | {verdicts} | {silent} |"
 
 
 def lines():
-    jobs = int(next(iter(word for word in sys.argv[1:] if word.isdigit()), JOBS))
-    yield f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py --write`, {jobs} jobs a row:\n"
-    yield "| net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | both, turned in between |"
-    yield "|" + "---|" * 6
+    jobs = count_given(JOBS)
+    yield by(__file__, f", {jobs} jobs a row")
+    yield from heading("net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | "
+                       "both, turned in between")
     for name, noise, hidden in SETTINGS:
-        with tempfile.TemporaryDirectory() as folder:
-            net = Net(name, 1, pathlib.Path(folder))
-            yield gains(net, noise, hidden, pathlib.Path(folder), jobs)
+        with temporary_folder() as folder:
+            yield gains(Net(name, folder), noise, hidden, folder, jobs)
     yield ""
-    yield "| what is wrong | lengths inside 95 % [%] | suspects right | false alarms | verdict | passed below 85 % |"
-    yield "|" + "---|" * 6
+    yield from heading("what is wrong | lengths inside 95 % [%] | suspects right | false alarms | verdict | passed below 85 %")
     for name, alter in FALSE:
-        with tempfile.TemporaryDirectory() as folder:
-            net = Net("hilo-quarter", 1, pathlib.Path(folder))
-            yield false_premise(name, alter, net, pathlib.Path(folder), jobs)
+        with temporary_folder() as folder:
+            yield false_premise(name, alter, Net("hilo-quarter", folder), folder, jobs)
 
 
 if __name__ == "__main__":
-    show("diagnostics.md", "benchmarks/epochs.py", lines())
+    show("diagnostics.md", __file__, lines())

@@ -4,19 +4,16 @@
 
 All cables are stiffer or softer than designed by one factor, uniform within 10 %, of which `taut identify` assumes 5 % by
 default. It also assumes what else is drawn here: 2 % of each stiffness, 5 K, supports off by 1 mm, turnbuckles by 0.5 mm,
-3 % of the mass, 1 % of all load cells, 2 % of loads. Nets are those of coverage.py, whose forms alone are `taut form`'s.
-Cables vibrate as strings with bending, by the series of Morse for fixed ends.
+3 % of the mass, 1 % of all load cells, 2 % of loads. Cables vibrate as strings with bending, by the series of Morse for fixed ends.
 
     PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/evidence.py --write
 """
 
-import json
-import pathlib
-import tempfile
+import collections
 
 import numpy as np
-from coverage import Count, Net, quantity, taut
-from page_block import show
+from page_block import by, heading, show
+from simulation import Count, Net, identify, quantity, rms, temporary_folder, verdict_counts, write_points
 
 # kind, net, its size, factor of its stiffness at the same tensions, prior, noise, error of a free length, surveys
 CASES = [
@@ -45,7 +42,7 @@ def of_size(net, size):
             for node in (start, end):
                 net.loads[node, 2] += 0.5 * net.mass[edge] * GRAVITY * net.lengths[edge]
     data.update(nodes=net.nodes.tolist(), unstressed_lengths=net.lengths.tolist(), mass=net.mass.tolist(), loads=net.loads.tolist())
-    (net.folder / "net.json").write_text(json.dumps(data))
+    net.give(data)
 
 
 def frequency(length, mass, bending, tension, fixed):
@@ -72,11 +69,10 @@ class Job:
         net.loads = unloaded
         self.form, self.tension, _, _ = net.build(prior, SITE, seed)
         net.stiffness = designed
-        self.noise = quantity(noise)
         folder = net.folder
         seen = net.free[random.random(len(net.free)) >= 0.1]
-        self.write_survey(folder / "survey.csv", self.form, seen, random)
-        self.write_survey(folder / "loaded.csv", loaded, seen, random)
+        for file, form in (("survey.csv", self.form), ("loaded.csv", loaded)):
+            write_points(folder / file, seen, (form + quantity(noise) * random.normal(size=form.shape))[seen])
         (folder / "bags.csv").write_text("".join(f"{node},0,0,{bags[node, 2]}\n" for node in np.flatnonzero(bags[:, 2])))
         taut_edges = np.flatnonzero(self.tension > 0.1 * self.tension.mean())
         self.write_forces(net, random, random.choice(taut_edges, 3 * MEASURED, replace=False), quantity(free_length))
@@ -90,10 +86,6 @@ class Job:
     def bag(net):
         """A fifth of the mean tension, at each of about five nodes."""
         return 0.2 * net.tensions(net.nodes, net.lengths, np.ones(len(net.edges))).mean()
-
-    def write_survey(self, path, form, seen, random):
-        places = form + self.noise * random.normal(size=form.shape)
-        path.write_text("".join(f"{node}," + ",".join(map(repr, map(float, places[node]))) + "\n" for node in seen))
 
     def write_forces(self, net, random, edges, free_length):
         cells, vibrating, _ = np.split(edges, 3)
@@ -114,24 +106,19 @@ class Row:
     """One kind of evidence."""
 
     def __init__(self):
-        self.verdicts, self.errors, self.stds = [], [], []
+        self.verdicts, self.errors, self.stds = collections.Counter(), [], []
         self.means, self.tensions = Count(), Count()
         self.refused = ""
 
     def add(self, net, job, given, prior, noise):
-        result = net.folder / "result.json"
-        command = ["identify", net.folder / "net.json", net.folder / "survey.csv", "--noise", noise, "--frame", "net"]
-        command += ["--prior", prior, "--quiet", "-o", result, *(word for one in given for word in job.options[one])]
-        done = taut(*command)
-        if not result.exists():
-            self.refused = done.stderr.strip().splitlines()[-1]
+        options = [word for one in given for word in job.options[one]]
+        found, ended = identify(net.folder, "--noise", noise, "--frame", "net", "--prior", prior, *options)
+        if not found:
+            self.refused = ended.stderr.strip().splitlines()[-1]
             return
-        found = json.loads(result.read_text())
-        result.unlink()
-        self.verdicts.append(found["trust"]["verdict"])
-        if self.verdicts[-1] == "failed":
-            return
-        if not found["mean_tension"]:
+        verdict = found["trust"]["verdict"]
+        self.verdicts[verdict] += 1
+        if verdict == "failed" or not found["mean_tension"]:
             return
         self.means.add(job.tension.mean(), found["mean_tension"])
         self.errors.append(abs(found["mean_tension"]["mean"] / job.tension.mean() - 1))
@@ -140,19 +127,19 @@ class Row:
             self.tensions.add(job.tension[edge["edge"]], edge, "tension_")
 
     def __str__(self):
-        verdicts = ", ".join(f"{self.verdicts.count(word)} {word}" for word in ("passed", "doubtful", "failed") if word in self.verdicts)
+        verdicts = verdict_counts(self.verdicts)
         if not self.errors:
             return f"{verdicts or 'refused: ' + self.refused} | - | - | - | - | -"
         within = sum(error < 0.02 for error in self.errors)
         return (
-            f"{verdicts} | {len(self.errors)} | {100 * np.median(self.stds):.2f} % | {100 * np.sqrt(np.mean(np.square(self.errors))):.2f} %, "
+            f"{verdicts} | {len(self.errors)} | {100 * np.median(self.stds):.2f} % | {100 * rms(self.errors):.2f} %, "
             f"{within} | {self.means} | {self.tensions}"
         )
 
 
 def rows(case, folder):
     kind, name, size, factor, prior, noise, _, surveys = case
-    net = Net(name, factor, folder)
+    net = Net(name, folder, factor)
     of_size(net, size)
     found = {evidence: Row() for evidence in EVIDENCE}
     for seed in range(surveys):
@@ -165,13 +152,13 @@ def rows(case, folder):
 
 
 def lines():
-    yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/evidence.py --write`:\n"
-    yield "| net | evidence | verdicts | with tensions | std of the mean tension | its error, RMS; within 2 % | mean inside | tensions inside |"
-    yield "|" + "---|" * 8
+    yield by(__file__)
+    yield from heading("net | evidence | verdicts | with tensions | std of the mean tension | its error, RMS; within 2 % | mean inside | "
+                       "tensions inside")
     for case in CASES:
-        with tempfile.TemporaryDirectory() as folder:
-            yield from rows(case, pathlib.Path(folder))
+        with temporary_folder() as folder:
+            yield from rows(case, folder)
 
 
 if __name__ == "__main__":
-    show("validation.md", "benchmarks/evidence.py", lines())
+    show("validation.md", __file__, lines())

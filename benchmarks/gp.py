@@ -21,7 +21,7 @@ import sys
 import time
 
 import numpy as np
-from page_block import put
+from page_block import show
 
 NAMES = ["taut", "scikit-learn", "GPyTorch", "GPy"]
 
@@ -81,13 +81,8 @@ def fit_gpy(inputs, outputs):
         kernel = GPy.kern.RBF(inputs.shape[1], lengthscale=float(np.sqrt(inputs.shape[1])))
         model = GPy.models.GPRegression(inputs, output[:, None], kernel, noise_var=1e-2)
         model.optimize()
-        found.append(
-            (
-                float(kernel.lengthscale[0]),
-                float(kernel.variance[0]),
-                float(model.likelihood.variance[0]),
-            )
-        )
+        theta = (kernel.lengthscale, kernel.variance, model.likelihood.variance)
+        found.append([float(value[0]) for value in theta])
     return np.array(found).T
 
 
@@ -194,20 +189,10 @@ def main():
         print(json.dumps(run_one(arguments.one, arguments.samples, arguments.outputs)))
         return
     rows = {}
+    sizes = ["--samples", str(arguments.samples), "--outputs", str(arguments.outputs)]
     for name in NAMES:
         done = subprocess.run(
-            [
-                sys.executable,
-                __file__,
-                "--one",
-                name,
-                "--samples",
-                str(arguments.samples),
-                "--outputs",
-                str(arguments.outputs),
-            ],
-            capture_output=True,
-            text=True,
+            [sys.executable, __file__, "--one", name, *sizes], capture_output=True, text=True
         )
         if "ModuleNotFoundError" in done.stderr:
             rows[name] = None
@@ -215,10 +200,7 @@ def main():
             raise SystemExit(f"{name} failed:\n{done.stderr}")
         else:
             rows[name] = json.loads(done.stdout.splitlines()[-1])
-    made = table(rows, arguments.samples, arguments.outputs)
-    print(made)
-    if arguments.write:
-        put("performance.md", "benchmarks/gp.py", made)
+    show("performance.md", __file__, [table(rows, arguments.samples, arguments.outputs)])
 
 
 if __name__ == "__main__":

@@ -31,15 +31,34 @@ def put(page, name, block):
     path.write_text(replaced(path.read_text(encoding="utf-8"), name, block), encoding="utf-8")
 
 
-def show(page, name, lines):
+def name_of(script):
+    return Path(script).resolve().relative_to(DOCS.parent).as_posix()
+
+
+def by(script, more=""):
+    """The line of a block that names the command which makes it."""
+    return f"By `PATH=$PWD/build:$PATH /usr/bin/python3 {name_of(script)} --write`{more}:\n"
+
+
+def heading(columns):
+    """The first two lines of a table, for the titles of its columns as "a | b"."""
+    return f"| {columns} |", "|" + "---|" * len(columns.split(" | "))
+
+
+def count_given(default):
+    """The first number among the arguments of the script."""
+    return int(next((word for word in sys.argv[1:] if word.isdigit()), default))
+
+
+def show(page, script, lines):
     """Prints the lines of a block as they come. With --write among the arguments of the script,
-    they then replace the block of docs/PAGE."""
+    they then replace its block of docs/PAGE."""
     kept = []
     for line in lines:
         print(line, flush=True)
         kept.append(line)
     if "--write" in sys.argv:
-        put(page, name, "\n".join(kept))
+        put(page, name_of(script), "\n".join(kept))
 
 
 if __name__ == "__main__":

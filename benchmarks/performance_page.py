@@ -369,7 +369,7 @@ scikit-learn {peer['sklearn']} (constant x RBF + white kernel, one start).
 | scikit-learn | {peer['seconds']:.2f} s | 1 | {1e3 * peer['seconds']:.0f} ms |
 
 taut needs {training / peer['seconds']:.2f} times the time of scikit-learn's one output for all {study['net']['interior_edges']}: an output is {per_output:.0f} times as fast."""
-    show("performance.md", "benchmarks/performance_page.py", [page])
+    show("performance.md", __file__, [page])
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 import taut
-from page_block import put
+from page_block import heading, show
 
 
 def microseconds(call):
@@ -93,7 +93,7 @@ def main():
         ("`taut.edge_lengths(net, form)`", microseconds(lambda: taut.edge_lengths(net, form))),
         ("`solver.solve(lengths)`, in equilibrium", microseconds(lambda: solver.solve(lengths))),
     ]
-    lines = ["| call, on a net of 4 free nodes | microseconds |", "|---|---|"]
+    lines = [*heading("call, on a net of 4 free nodes | microseconds")]
     lines += [f"| {name} | {value:.2f} |" for name, value in rows]
     if arguments.peer:
         python, cpp = identification(arguments.peer)
@@ -105,10 +105,7 @@ def main():
         ]
     numpy, both = seconds_of("import numpy", "import taut")
     lines += ["", f"`import taut` takes {both:.3f} s, of which NumPy {numpy:.3f} s."]
-    made = "\n".join(lines)
-    print(made)
-    if arguments.write:
-        put("performance.md", "benchmarks/python_calls.py", made)
+    show("performance.md", __file__, lines)
 
 
 if __name__ == "__main__":

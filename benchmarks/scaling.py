@@ -12,13 +12,12 @@ with other work. Each number is the least of the repetitions, which take turns.
 
 import argparse
 import os
-import pathlib
 import resource
 import subprocess
-import tempfile
 import time
 
-from page_block import show
+from page_block import heading, show
+from simulation import temporary_folder
 
 PROCESSES = [1, 2, 3, 4]
 OPEN_MPI = {
@@ -57,20 +56,20 @@ def least(runs, repeat, folder):
 
 
 def lines(options):
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
+    with temporary_folder() as folder:
         subprocess.run(["taut", "example", options.net, "-o", "net.json"], cwd=folder, check=True, capture_output=True)
         runs = [(f"`taut`, {n} thread{'s' * (n > 1)}", by_threads(n, options.samples)) for n in (1, 2)]
         runs += [(f"`taut-mpi`, {n}", by_processes(n, options.samples)) for n in PROCESSES]
         found = least([words for _, words in runs], options.repeat, folder)
         yield (f"{options.samples} samples of `{options.net}` on {os.cpu_count()} cores, by `/usr/bin/python3 benchmarks/scaling.py "
                f"--samples {options.samples} --repeat {options.repeat} --write`:\n")
-        yield "| processes | time [s] | processor time [s] | of one thread's |\n|---|---|---|---|"
+        yield from heading("processes | time [s] | processor time [s] | of one thread's")
         for (label, _), (wall, used) in zip(runs, found):
             yield f"| {label} | {wall:.2f} | {used:.2f} | {100 * used / found[0][1]:.0f} % |"
         share = options.samples // 2
         found = least([by_processes(n, n * share) for n in PROCESSES], options.repeat, folder)
-        yield f"\n| processes, {share} samples each | time [s] | processor time for each process [s] |\n|---|---|---|"
+        yield ""
+        yield from heading(f"processes, {share} samples each | time [s] | processor time for each process [s]")
         for n, (wall, used) in zip(PROCESSES, found):
             yield f"| {n} | {wall:.2f} | {used / n:.2f} |"
 
@@ -81,7 +80,7 @@ def main():
     parser.add_argument("--samples", type=int, default=2000)
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--write", action="store_true", help="put the tables into docs/performance.md")
-    show("performance.md", "benchmarks/scaling.py", lines(parser.parse_args()))
+    show("performance.md", __file__, lines(parser.parse_args()))
 
 
 if __name__ == "__main__":

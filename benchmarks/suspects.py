@@ -5,14 +5,9 @@
     PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/suspects.py --write
 """
 
-import json
-import pathlib
-import sys
-import tempfile
-
 import numpy as np
-from coverage import Net, taut
-from page_block import show
+from page_block import by, count_given, heading, show
+from simulation import Net, either_of, identify, temporary_folder, write_survey
 
 TRIALS = 100
 MUCH_TOO_SHORT = "adjustable edge of hypar:9x9 too short, default call"
@@ -26,28 +21,17 @@ def identified(net, folder, seed, alter, words, wrong_target=None):
     net.alter = lambda deviations, nodes, random: alter(deviations, nodes)
     form, *_ = net.build("uniform:5mm", [], seed)
     random = np.random.default_rng(10_000 + seed)
-    with (folder / "survey.csv").open("w") as out:
-        for node in net.free:
-            place = form[node] + NOISE * random.normal(size=3)
-            if node == wrong_target:
-                place = place + 0.01 * np.array([0.6, 0.0, 0.8])
-            if random.random() >= 0.1 or node == wrong_target:
-                out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
-    taut("identify", folder / "net.json", folder / "survey.csv", "--noise", "0.5mm", "--prior", "uniform:5mm", *words,
-         "--draws", "0", "--quiet", "-o", folder / "result.json")
-    return json.loads((folder / "result.json").read_text())
+    off = 0.01 * np.array([0.6, 0.0, 0.8])
+    write_survey(folder / "survey.csv", net.free,
+                 lambda node: form[node] + NOISE * random.normal(size=3) + (off if node == wrong_target else 0), random, shown=wrong_target)
+    return identify(folder, "--noise", "0.5mm", "--prior", "uniform:5mm", *words, "--draws", "0")[0]
 
 
 def named(result):
     """All suspects, the largest statistic first: sets of names that are confounded with each other."""
     found = result["diagnostics"]
     named = [(entry["statistic"], {("edge", entry["edge"])}) for entry in found["length_outliers"]]
-    for entry in found["boundary"]:
-        kinds = ("edge", "support") if "edge" in entry else ("support", "edge")
-        either = {(kinds[0], entry.get("edge", entry.get("node")))}
-        if entry["confounded_with"] is not None:
-            either.add((kinds[1], int(entry["confounded_with"])))
-        named.append((entry["statistic"], either))
+    named += [(entry["statistic"], either_of(entry)) for entry in found["boundary"]]
     named += [(o["statistic"], {("target", o["node"])}) for o in result["survey"]["outliers"]]
     return [names for _, names in sorted(named, key=lambda one: -one[0])]
 
@@ -89,17 +73,15 @@ def row(kind, net, folder, trials):
 
 
 def lines():
-    trials = int(next(iter(word for word in sys.argv[1:] if word.isdigit()), TRIALS))
-    yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/suspects.py --write`:\n"
-    yield "| what is wrong | by [mm] | tried | named first | false alarms |"
-    yield "|---|---|---|---|---|"
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        net = Net("hilo-quarter", 1, folder)
+    trials = count_given(TRIALS)
+    yield by(__file__)
+    yield from heading("what is wrong | by [mm] | tried | named first | false alarms")
+    with temporary_folder() as folder:
+        net = Net("hilo-quarter", folder)
         for kind in ("target", "adjustable edge"):
             yield row(kind, net, folder, trials)
-        yield row(MUCH_TOO_SHORT, Net("hypar:9x9", 1, folder), folder, trials)
+        yield row(MUCH_TOO_SHORT, Net("hypar:9x9", folder), folder, trials)
 
 
 if __name__ == "__main__":
-    show("diagnostics.md", "benchmarks/suspects.py", lines())
+    show("diagnostics.md", __file__, lines())

@@ -13,17 +13,15 @@ r and J the form and its rates at a first estimate d_0, by code that shares noth
 (posterior_chains.py beside it). The chains step along each length and along the eigenvectors of the
 largest variances, so that lengths at a hidden node, known by their sum alone, mix too. Needs NumPy.
 """
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import numpy as np
 from posterior_chains import Net, r_hat
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from page_block import show
+from page_block import by, heading, show
+from simulation import identify, taut, temporary_folder, write_points
 
 BOUND = 0.005
 CASES = [(noise, hidden) for noise in (1e-4, 5e-4, 2e-3) for hidden in (0.0, 0.1)]
@@ -86,14 +84,9 @@ def chains(precision, mean, rng):
 
 
 def identified(folder, net, y, seen, noise):
-    with (folder / "survey.csv").open("w") as out:
-        for node in seen:
-            out.write(f"{node}," + ",".join(map(repr, map(float, y[node]))) + "\n")
-    command = ["taut", "identify", folder / "net.json", folder / "survey.csv", "--noise", f"{1e3 * noise:g}mm"]
-    command += ["--prior", f"uniform:{1e3 * BOUND:g}mm", "--frame", "net", "--uncertain", "none", "--draws", "0",
-                "--quiet"]
-    subprocess.run(list(map(str, [*command, "-o", folder / "result.json"])), check=True, capture_output=True)
-    result = json.loads((folder / "result.json").read_text())
+    write_points(folder / "survey.csv", seen, y[seen])
+    result, _ = identify(folder, "--noise", f"{1e3 * noise:g}mm", "--prior", f"uniform:{1e3 * BOUND:g}mm", "--frame", "net", "--uncertain",
+                         "none", "--draws", "0")
     return np.array([edge["length_deviation"] for edge in result["edges"]])
 
 
@@ -120,13 +113,10 @@ def try_survey(folder, net, noise, hidden, seed):
 
 
 def lines():
-    yield (f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/reference/posterior_mean.py --write`, {CHAINS} chains of {SWEEPS} "
-           f"sweeps, {SURVEYS} surveys a row:\n")
-    yield "| noise [mm] | hidden | MSE of map [m2] | of the chains' mean [m2] | above [%] | off, RMS | off, largest | R-hat |"
-    yield "|" + "---|" * 8
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        subprocess.run(["taut", "example", "hilo-quarter", "-o", folder / "net.json"], check=True, capture_output=True)
+    yield by(__file__, f", {CHAINS} chains of {SWEEPS} sweeps, {SURVEYS} surveys a row")
+    yield from heading("noise [mm] | hidden | MSE of map [m2] | of the chains' mean [m2] | above [%] | off, RMS | off, largest | R-hat")
+    with temporary_folder() as folder:
+        taut("example", "hilo-quarter", "-o", folder / "net.json")
         net = Net(folder / "net.json")
         for noise, hidden in CASES:
             tried = [try_survey(folder, net, noise, hidden, seed) for seed in range(SURVEYS)]
@@ -140,4 +130,4 @@ def lines():
 
 
 if __name__ == "__main__":
-    show("validation.md", "benchmarks/reference/posterior_mean.py", lines())
+    show("validation.md", __file__, lines())
