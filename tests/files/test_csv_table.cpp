@@ -9,13 +9,11 @@
 #include <gmock/gmock.h>
 
 #include "support/bad_input.hpp"
-#include "support/errors.hpp"
 
 namespace taut {
 namespace {
 
 using Header = CsvColumns::Header;
-using test::BadText;
 
 CsvTable force_table(std::string_view text, Header header = Header::optional) {
     return {text,
@@ -47,39 +45,33 @@ TEST(CsvTable, IsReadByTheNamesInItsHeader) {
     EXPECT_EQ(table.number(table.rows()[0], 2), 3.0);
 }
 
-class BadTable : public testing::TestWithParam<BadText> {};
-
-TEST_P(BadTable, IsRefusedWithItsLine) {
-    const std::string name = GetParam().name;
-    const Header header = name.starts_with("Required") ? Header::required
-                          : name.starts_with("ByName") ? Header::by_name
-                                                       : Header::optional;
-    EXPECT_EQ(test::input_error_of([&] {
-                  const CsvTable table = force_table(GetParam().text, header);
-                  return table.number(table.rows().back(), 1);
-              }),
-              "a.csv" + GetParam().message);
+TEST(CsvTable, IsRefusedWithItsLine) {
+    Header header = Header::optional;
+    const auto read = [&](const std::string& text) {
+        const CsvTable table = force_table(text, header);
+        return table.number(table.rows().back(), 1);
+    };
+    test::expect_refused(
+        "a.csv",
+        {{"", ": holds no force, expected lines edge,force[,std]"},
+         {"edge,force\n", ": holds no force, expected lines edge,force[,std]"},
+         {"A\n", ":1: has 1 fields, expected edge,force[,std]"},
+         {"A,1,2,3\n", ":1: has 4 fields, expected edge,force[,std]"},
+         {"A,1,2\nB,1\n", ":2: has 2 fields, expected 3 as in the lines before"},
+         {"edge,force\nedge,force\n", ":2: force is 'force', expected a finite number"},
+         {"A,nan\n", ":1: force is 'nan', expected a finite number"},
+         {"A,1e999\n", ":1: force is '1e999', expected a finite number"},
+         {"A,\n", ":1: force is '', expected a finite number"}},
+        read);
+    header = Header::required;
+    test::expect_refused("a.csv",
+                         {{"A,1\n", ":1: does not start with the header edge,force[,std]"},
+                          {"", ": does not start with the header edge,force[,std]"}},
+                         read);
+    header = Header::by_name;
+    test::expect_refused(
+        "a.csv", {{"edge,force\nA,1\n", ":1: has no column std, expected edge,force[,std]"}}, read);
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Text, BadTable,
-    testing::Values(
-        BadText{"Empty", "", ": holds no force, expected lines edge,force[,std]"},
-        BadText{"HeaderOnly", "edge,force\n", ": holds no force, expected lines edge,force[,std]"},
-        BadText{"FewFields", "A\n", ":1: has 1 fields, expected edge,force[,std]"},
-        BadText{"ManyFields", "A,1,2,3\n", ":1: has 4 fields, expected edge,force[,std]"},
-        BadText{"FewFieldsLater", "A,1,2\nB,1\n",
-                ":2: has 2 fields, expected 3 as in the lines before"},
-        BadText{"SecondHeader", "edge,force\nedge,force\n",
-                ":2: force is 'force', expected a finite number"},
-        BadText{"Nan", "A,nan\n", ":1: force is 'nan', expected a finite number"},
-        BadText{"Infinite", "A,1e999\n", ":1: force is '1e999', expected a finite number"},
-        BadText{"NoNumber", "A,\n", ":1: force is '', expected a finite number"},
-        BadText{"RequiredHeader", "A,1\n", ":1: does not start with the header edge,force[,std]"},
-        BadText{"RequiredHeaderOfEmpty", "", ": does not start with the header edge,force[,std]"},
-        BadText{"ByNameWithoutStd", "edge,force\nA,1\n",
-                ":1: has no column std, expected edge,force[,std]"}),
-    [](const auto& param) { return param.param.name; });
 
 }  // namespace
 }  // namespace taut

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/bad_input.hpp"
 #include "support/errors.hpp"
 
 namespace taut {
@@ -60,32 +61,18 @@ TEST(ParseObj, TakesThePointsOfTheGroupSupports) {
     EXPECT_FALSE(net.nodes[1].is_support);
 }
 
-struct BadLine {
-    const char* name;
-    std::string line;
-    const char* message;
-};
-
-class BadObj : public testing::TestWithParam<BadLine> {};
-
-TEST_P(BadObj, IsRefusedAtItsLine) {
-    EXPECT_EQ(input_error_of([] { return obj_net(square + GetParam().line + "\n"); }),
-              std::string("net.obj:5: ") + GetParam().message);
+TEST(ParseObj, RefusesOtherLinesWithTheirNumber) {
+    test::expect_refused(
+        "net.obj:5",
+        {{"curv 1 2", ": starts with 'curv', expected v, l, f or another keyword of OBJ"},
+         {"v 1 2", ": has 2 coordinates, expected 3"},
+         {"v 1 nan 2", ": y is 'nan', expected a finite number"},
+         {"f 1 2", ": has 2 vertices, expected at least 3"},
+         {"l 0 1", ": names the vertex '0', expected 1 to 4, or -1 to -4 from the end"},
+         {"l 1 5", ": names the vertex '5', expected 1 to 4, or -1 to -4 from the end"},
+         {"l 2 2", ": names the vertex 2 twice in a row"}},
+        [](const std::string& line) { return obj_net(square + line + "\n"); });
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Line, BadObj,
-    testing::Values(BadLine{"Unknown", "curv 1 2",
-                            "starts with 'curv', expected v, l, f or another keyword of OBJ"},
-                    BadLine{"VertexOfTwo", "v 1 2", "has 2 coordinates, expected 3"},
-                    BadLine{"VertexNan", "v 1 nan 2", "y is 'nan', expected a finite number"},
-                    BadLine{"FaceOfTwo", "f 1 2", "has 2 vertices, expected at least 3"},
-                    BadLine{"Zero", "l 0 1",
-                            "names the vertex '0', expected 1 to 4, or -1 to -4 from the end"},
-                    BadLine{"TooLarge", "l 1 5",
-                            "names the vertex '5', expected 1 to 4, or -1 to -4 from the end"},
-                    BadLine{"Same", "l 2 2", "names the vertex 2 twice in a row"}),
-    [](const auto& param) { return param.param.name; });
 
 TEST(ParseObj, RefusesWhatHoldsNoVertex) {
     EXPECT_EQ(input_error_of([] { return obj_net("# nothing\n"); }),

@@ -57,27 +57,19 @@ TEST(ForcesCsv, AUnitThatIsMostLikelyAnotherIsNamed) {
                 AllOf(HasSubstr("f.csv: "), HasSubstr("most likely the unit is kN")));
 }
 
-class RefusedForces : public testing::TestWithParam<BadText> {};
-
-TEST_P(RefusedForces, WithLineAndRule) {
-    EXPECT_THAT(input_error_of([] {
-                    return parse_force_measurements(two_node_net(), GetParam().text, "f.csv");
-                }),
-                testing::StartsWith("f.csv" + GetParam().message));
+TEST(ForcesCsv, AreRefusedWithLineAndRule) {
+    expect_refused("f.csv",
+                   {{"edge,tension\nxy,3\n", ":2: 'xy' is no edge..."},
+                    {"ab,3\nbD,4\nab,5\n", ":3: names edge 'ab' a second time, first in line 1..."},
+                    {"ab,-3\n", ":1: tension is '-3', expected 0 or more..."},
+                    {"ab,1e308\n", ":1: the tension is 1e+308 N..."},
+                    {"ab,3,1e-200\n", ":1: the standard deviation is 1e-200 N..."},
+                    {"ab,3,0\n", ":1: std is 0..."},
+                    {"ab,0\n", ":1: tension is 0..."},
+                    {"ab\n", ":1: has 1 fields, expected edge,tension[,std]..."}},
+                   [](const std::string& text) {
+                       return parse_force_measurements(two_node_net(), text, "f.csv");
+                   });
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    ForcesCsv, RefusedForces,
-    testing::Values(BadText{"UnknownEdge", "edge,tension\nxy,3\n", ":2: 'xy' is no edge"},
-                    BadText{"Twice", "ab,3\nbD,4\nab,5\n",
-                            ":3: names edge 'ab' a second time, first in line 1"},
-                    BadText{"Negative", "ab,-3\n", ":1: tension is '-3', expected 0 or more"},
-                    BadText{"AboveAllCables", "ab,1e308\n", ":1: the tension is 1e+308 N"},
-                    BadText{"FinerThanRounding", "ab,3,1e-200\n",
-                            ":1: the standard deviation is 1e-200 N"},
-                    BadText{"NoDeviation", "ab,3,0\n", ":1: std is 0"},
-                    BadText{"ZeroOfWhichAPart", "ab,0\n", ":1: tension is 0"},
-                    BadText{"EdgesAlone", "ab\n", ":1: has 1 fields, expected edge,tension[,std]"}),
-    [](const auto& bad) { return bad.param.name; });
 
 }  // namespace

@@ -34,22 +34,16 @@ TEST(FrequenciesCsv, WithoutAnyStandardDeviationAreRefused) {
         testing::StartsWith("f.csv:1: the frequency has no positive standard deviation"));
 }
 
-class RefusedFrequencies : public testing::TestWithParam<BadText> {};
-
-TEST_P(RefusedFrequencies, WithLineAndRule) {
-    EXPECT_THAT(
-        input_error_of([] { return parse_frequencies(two_node_net(), GetParam().text, "f.csv"); }),
-        testing::StartsWith("f.csv" + GetParam().message));
+TEST(FrequenciesCsv, AreRefusedWithLineAndRule) {
+    expect_refused(
+        "f.csv",
+        {{"edge,frequency\nxy,3\n", ":2: 'xy' is no edge..."},
+         {"ab,3\nab,5\n", ":2: names edge 'ab' a second time..."},
+         {"ab,0\n", ":1: frequency is '0', expected 0.01 to..."},
+         {"ab,3,1.5\n", ":1: mode is '1.5', expected the number..."},
+         {"ab,3,0\n", ":1: mode is '0'..."},
+         {"ab,3,1,0\n", ":1: std is '0', expected a positive..."}},
+        [](const std::string& text) { return parse_frequencies(two_node_net(), text, "f.csv"); });
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    FrequenciesCsv, RefusedFrequencies,
-    testing::Values(BadText{"UnknownEdge", "edge,frequency\nxy,3\n", ":2: 'xy' is no edge"},
-                    BadText{"Twice", "ab,3\nab,5\n", ":2: names edge 'ab' a second time"},
-                    BadText{"Zero", "ab,0\n", ":1: frequency is '0', expected 0.01 to"},
-                    BadText{"HalfAMode", "ab,3,1.5\n", ":1: mode is '1.5', expected the number"},
-                    BadText{"ModeZero", "ab,3,0\n", ":1: mode is '0'"},
-                    BadText{"NoDeviation", "ab,3,1,0\n", ":1: std is '0', expected a positive"}),
-    [](const auto& bad) { return bad.param.name; });
 
 }  // namespace

@@ -14,7 +14,6 @@
 namespace taut {
 namespace {
 
-using test::BadText;
 using test::input_error_of;
 
 TEST(PolarCsv, ReadsColumnsInAnyOrderAndUnit) {
@@ -94,34 +93,26 @@ TEST(PolarCsv, IsDistinguishedFromCoordinates) {
     }
 }
 
-class BadPolar : public testing::TestWithParam<BadText> {};
-
-TEST_P(BadPolar, IsRefusedInOneLine) {
-    EXPECT_EQ(input_error_of([] { return parse_polar_csv(GetParam().text, "a.csv"); }),
-              "a.csv" + GetParam().message);
-}
-
 constexpr const char* header = "station,target,hz [gon],v [gon],distance [m]\n";
 
-INSTANTIATE_TEST_SUITE_P(
-    Text, BadPolar,
-    testing::Values(
-        BadText{"HeaderOnly", header, ": holds no observation behind its header"},
-        BadText{"OtherColumn", "station,target,hz [gon],v [gon],distance,x\n1,A,1,1,1,1\n",
-                ":1: has the column 'x', expected some of station, target, hz, v, distance, "
-                "target_height, angle_std, distance_std"},
-        BadText{"ColumnTwice", "station,target,hz [gon],v [gon],hz [gon],distance\n",
-                ":1: has the column hz twice"},
-        BadText{"NoDistance", "station,target,hz [gon],v [gon]\n1,A,1,1\n",
-                ":1: has no column distance, expected station, target, hz, v, distance"},
-        BadText{"OtherUnit", "station,target,hz [gon],v [grad],distance\n1,A,1,1,1\n",
-                ":1: has v in 'grad', expected gon, mgon, deg, arcsec, rad or mrad"},
-        BadText{"NoName", std::string(header) + "1,,1,1,1\n", ":2: has no target, expected a name"},
-        BadText{"BeyondACircle", std::string(header) + "1,A,1,1,1\n1,B,401,1,1\n",
-                ":3: hz is '401', expected -400 to 400 as its unit says: is the unit right?"},
-        BadText{"NoLength", std::string(header) + "1,A,1,1,0\n",
-                ":2: distance is '0', expected more than 0"}),
-    [](const auto& param) { return param.param.name; });
+TEST(PolarCsv, RefusesOtherTextsInOneLine) {
+    test::expect_refused(
+        "a.csv",
+        {{header, ": holds no observation behind its header"},
+         {"station,target,hz [gon],v [gon],distance,x\n1,A,1,1,1,1\n",
+          ":1: has the column 'x', expected some of station, target, hz, v, distance, "
+          "target_height, angle_std, distance_std"},
+         {"station,target,hz [gon],v [gon],hz [gon],distance\n", ":1: has the column hz twice"},
+         {"station,target,hz [gon],v [gon]\n1,A,1,1\n",
+          ":1: has no column distance, expected station, target, hz, v, distance"},
+         {"station,target,hz [gon],v [grad],distance\n1,A,1,1,1\n",
+          ":1: has v in 'grad', expected gon, mgon, deg, arcsec, rad or mrad"},
+         {std::string(header) + "1,,1,1,1\n", ":2: has no target, expected a name"},
+         {std::string(header) + "1,A,1,1,1\n1,B,401,1,1\n",
+          ":3: hz is '401', expected -400 to 400 as its unit says: is the unit right?"},
+         {std::string(header) + "1,A,1,1,0\n", ":2: distance is '0', expected more than 0"}},
+        [](const std::string& text) { return parse_polar_csv(text, "a.csv"); });
+}
 
 TEST(Angle, IsReadWithItsUnit) {
     EXPECT_NEAR(parse_angle("0.3mgon").angle, 0.3e-3 * gon, 1e-20);
