@@ -15,12 +15,11 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 PROGRAM = Path(sys.argv[1]).resolve()
-PRIOR = ["--prior", "uniform:3mm"]
 
 
-def taut(folder, *words):
+def taut(folder, words):
     done = subprocess.run(
-        [PROGRAM, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False
+        [PROGRAM, *words.split()], cwd=folder, capture_output=True, text=True, check=False
     )
     if done.returncode not in (0, 1):  # 1: a plan that cannot keep its limits is written
         raise SystemExit(done.stderr)
@@ -31,7 +30,7 @@ def read(path):
 
 
 def make_net(folder):
-    taut(folder, "example", "hypar:3x4", "-o", "net.json")
+    taut(folder, "example hypar:3x4 -o net.json")
     net = read(folder / "net.json")
     net["loads"] = [[0.0, 0.0, -1.0]] * len(net["nodes"])
     net["node_ids"] = [f"N{i}" for i in range(len(net["nodes"]))]
@@ -51,53 +50,17 @@ def free(net):
 
 def identify(folder, net):
     """From one survey with all options, and from two."""
-    taut(folder, "form", "net.json", *PRIOR, "--seed", 2, "-o", "built.csv", "--lengths", "truth.csv")
-    taut(
-        folder,
-        "survey",
-        "net.json",
-        "built.csv",
-        "--noise",
-        "0.2mm",
-        "--drop",
-        "10%",
-        "-o",
-        "one.csv",
-    )
-    taut(
-        folder, "survey", "net.json", "built.csv", "--noise", "0.2mm", "--seed", 5, "-o", "two.csv"
-    )
+    taut(folder, "form net.json --prior uniform:3mm --seed 2 -o built.csv --lengths truth.csv")
+    taut(folder, "survey net.json built.csv --noise 0.2mm --drop 10% -o one.csv")
+    taut(folder, "survey net.json built.csv --noise 0.2mm --seed 5 -o two.csv")
     asked = [net["edge_ids"][e] for e in interior(net)[:2]]
     (folder / "asked.txt").write_text("\n".join(asked) + "\n")
-    names = ["stiffness:5%@all", "stiffness-each:3%", "supports:0.5mm"]
-    uncertain = [word for name in names for word in ("--uncertain", name)]
-    common = [*PRIOR, "--draws", 20, "--quiet"]
-    taut(
-        folder,
-        "identify",
-        "net.json",
-        "one.csv",
-        *common,
-        *uncertain,
-        "--covariance-of",
-        "asked.txt",
-        "-o",
-        "one.json",
-    )
-    taut(
-        folder, "identify", "net.json", "one.csv", *common, "--epoch", "two.csv", "-o", "both.json"
-    )
-    taut(
-        folder,
-        "identify",
-        "net.json",
-        "two.csv",
-        *common,
-        "--frame",
-        "supports",
-        "-o",
-        "moved.json",
-    )
+    uncertain = "--uncertain stiffness:5%@all --uncertain stiffness-each:3% --uncertain supports:0.5mm"
+    common = "--prior uniform:3mm --draws 20 --quiet"
+    one = f"identify net.json one.csv {common}"
+    taut(folder, f"{one} {uncertain} --covariance-of asked.txt -o one.json")
+    taut(folder, f"{one} --epoch two.csv -o both.json")
+    taut(folder, f"identify net.json two.csv {common} --frame supports -o moved.json")
     return (read(folder / f"{name}.json") for name in ("one", "both", "moved"))
 
 
@@ -109,101 +72,47 @@ def full_identification(folder, net):
     support = {"node": net["supports"][0], "id": net["node_ids"][net["supports"][0]]}
     target = {"node": nodes[0], "id": net["node_ids"][nodes[0]]}
     turned = [{**turnbuckle, "stroke": 0.0005, "std": 0.0001}]
-    outlier = {
-        **target,
-        "distance": 0.01,
-        "statistic": 90.0,
-        "swapped_with": net["node_ids"][nodes[1]],
-    }
+    outlier = {**target, "distance": 0.01, "statistic": 90.0, "swapped_with": net["node_ids"][nodes[1]]}
     boundary = [
-        {
-            **turnbuckle,
-            "deviation": -0.0005,
-            "std": 0.0002,
-            "statistic": 40.0,
-            "confounded_with": support["id"],
-        },
-        {
-            **support,
-            "deviation": [0.0, 0.0005, 0.0],
-            "std": [2e-4, 2e-4, 2e-4],
-            "statistic": 30.0,
-            "confounded_with": None,
-        },
+        {**turnbuckle, "deviation": -0.0005, "std": 0.0002, "statistic": 40.0,
+         "confounded_with": support["id"]},
+        {**support, "deviation": [0.0, 0.0005, 0.0], "std": [2e-4, 2e-4, 2e-4], "statistic": 30.0,
+         "confounded_with": None},
     ]
     offset = {
-        "about": [0.0, 0.0, 0.0],
-        "translation": [0.0002, 0.0, 0.0],
-        "translation_std": [1e-4, 1e-4, 1e-4],
-        "rotation": [0.0, 0.0, 0.0],
+        "about": [0.0, 0.0, 0.0], "translation": [0.0002, 0.0, 0.0],
+        "translation_std": [1e-4, 1e-4, 1e-4], "rotation": [0.0, 0.0, 0.0],
         "rotation_std": [1e-4, 1e-4, 1e-4],
     }
-    trust = {
-        "verdict": "failed",
-        "reasons": ["one", "two", "three"],
-    }
+    trust = {"verdict": "failed", "reasons": ["one", "two", "three"]}
     findings = [
-        {
-            "kind": kind,
-            "severity": severity,
-            "ids": ["5"],
-            "value": 0.0123,
-            "std": 0.0004,
-            "confounded_with": ["7"],
-            "remedy": {"parameter": "prior", "value": "uniform:8mm"},
-            "reason": reason,
-            "next": "Look at it.",
-        }
+        {"kind": kind, "severity": severity, "ids": ["5"], "value": 0.0123, "std": 0.0004,
+         "confounded_with": ["7"], "remedy": {"parameter": "prior", "value": "uniform:8mm"},
+         "reason": reason, "next": "Look at it."}
         for kind, severity, reason in (
-            ("prior", "failed", "one"),
-            ("length", "doubtful", "two"),
-            ("target", "passed", "three"),
+            ("prior", "failed", "one"), ("length", "doubtful", "two"), ("target", "passed", "three")
         )
     ]
     control = [{"id": "C1", "dx": 1e-4, "dy": 0.0, "dz": 0.0}]
     epochs = both["epochs"]
     for epoch in epochs:
-        epoch.update(
-            turned=turned,
-            outliers=[outlier],
-            boundary=boundary,
-            frame_offset=offset,
-            trust=trust,
-            findings=findings,
-        )
+        epoch.update(turned=turned, outliers=[outlier], boundary=boundary, frame_offset=offset,
+                     trust=trust, findings=findings)
         epoch["load"] = 1500.0
         epoch["changes"] = [{**edge, "change": 0.002, "std": 0.0003, "statistic": 7.0}]
-    result.update(
-        date="2026-11-21 06:30 UTC",
-        trust=trust,
-        findings=findings,
-        frame_offset=offset,
-        turned=turned,
-        epochs=epochs,
-        frame=moved["frame"],
-    )
+    result.update(date="2026-11-21 06:30 UTC", trust=trust, findings=findings, frame_offset=offset,
+                  turned=turned, epochs=epochs, frame=moved["frame"])
     result["frame"] = result["frame"] or {
-        "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-        "from": [0, 0, 0],
-        "to": [0, 0, 0],
-        "fit": {"rms": 1e-4, "count": 1},
-        "control": control,
+        "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "from": [0, 0, 0], "to": [0, 0, 0],
+        "fit": {"rms": 1e-4, "count": 1}, "control": control,
     }
     result["prior"]["common"].update(struts=0.0002, struts_std=0.0003)
     result["detectable"].update(adjustable=0.004, support=0.009, temperature=12.0, force_scale=0.25, load=12.0)
     result["diagnostics"].update(boundary=boundary, boundary_not_released=1)
     result["diagnostics"]["prior"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
     result["diagnostics"]["length_outliers"] = [
-        {
-            **edge,
-            "deviation": 0.004,
-            "std": 0.001,
-            "statistic": 5.0,
-            "other": net["edge_ids"][inner[1]],
-            "node": net["node_ids"][nodes[2]],
-            "swapped": False,
-            "beside_target": True,
-        }
+        {**edge, "deviation": 0.004, "std": 0.001, "statistic": 5.0, "other": net["edge_ids"][inner[1]],
+         "node": net["node_ids"][nodes[2]], "swapped": False, "beside_target": True}
     ]
     result["forces"] = {
         "measurements": 2,
@@ -220,14 +129,8 @@ def full_identification(folder, net):
     survey = result["survey"]
     survey.update(outliers=[outlier], control=control, warnings=["made up"])
     survey["unmatched"] = [
-        {
-            "id": "T1",
-            "line": 3,
-            "reason": "far",
-            "nearest": net["node_ids"][nodes[2]],
-            "distance": 0.1,
-            "swapped_with": net["node_ids"][nodes[3]],
-        }
+        {"id": "T1", "line": 3, "reason": "far", "nearest": net["node_ids"][nodes[2]], "distance": 0.1,
+         "swapped_with": net["node_ids"][nodes[3]]}
     ]
     # Places of the supports by all parts of the result.
     for i in net["supports"]:
@@ -242,32 +145,14 @@ def full_identification(folder, net):
 
 
 def full_plan(folder, net):
-    wanted = [
-        "--tension",
-        "0.1kN..3kN",
-        "--turn",
-        "5mm",
-        "--step",
-        "1/4",
-        "--crews",
-        2,
-        "--thread",
-        "left",
-    ]
-    wanted += ["--tolerance", "1mm", "--suggest-adjustable", 2, "--suggest-targets", "0.2mm", "--quiet"]
     (folder / "turnable.txt").write_text(
         "\n".join(net["edge_ids"][e] for e in net["adjustable"][:8]) + "\n"
     )
     taut(
         folder,
-        "plan",
-        "net.json",
-        "one.json",
-        *wanted,
-        "--adjustable",
-        "turnable.txt",
-        "-o",
-        "plan.json",
+        "plan net.json one.json --tension 0.1kN..3kN --turn 5mm --step 1/4 --crews 2 --thread left"
+        " --tolerance 1mm --suggest-adjustable 2 --suggest-targets 0.2mm --quiet"
+        " --adjustable turnable.txt -o plan.json",
     )
     plan = read(folder / "plan.json")
     breaches = [
@@ -284,14 +169,8 @@ def full_plan(folder, net):
     plan["limits_given"] = True
     plan["order"]["safe_probability"] = 0.5
     plan["order"]["stages"] = [
-        {
-            "name": "made up",
-            "part": 0.5,
-            "step": 0,
-            "least_tension": 3000.0,
-            "most_tension": 5000.0,
-            "safe_probability": 0.75,
-        }
+        {"name": "made up", "part": 0.5, "step": 0, "least_tension": 3000.0, "most_tension": 5000.0,
+         "safe_probability": 0.75}
     ]
     for turn in plan["turns"]:
         turn["frequency_after_step"] = 17.5
@@ -303,20 +182,9 @@ def full_plan(folder, net):
         {"node": node, "id": net["node_ids"][node], "normal_std": 0.0002}
     ]
     plan["target_tensions"] = [
-        {
-            "edge": edge,
-            "edge_id": net["edge_ids"][edge],
-            "target": 3000.0,
-            "tolerance": 150.0,
-            "as_built": 4000.0,
-            "planned": 3500.0,
-            "unconstrained": 3400.0,
-            "of_any_form": 3100.0,
-            "mean": 3450.0,
-            "std": 200.0,
-            "probability": 0.1,
-            "obstacle": obstacle,
-        }
+        {"edge": edge, "edge_id": net["edge_ids"][edge], "target": 3000.0, "tolerance": 150.0,
+         "as_built": 4000.0, "planned": 3500.0, "unconstrained": 3400.0, "of_any_form": 3100.0,
+         "mean": 3450.0, "std": 200.0, "probability": 0.1, "obstacle": obstacle}
         for edge, obstacle in enumerate(["none", "limits", "form", "turnbuckles"])
     ]
     plan["options"]["form_tolerance"] = 0.005
@@ -328,20 +196,7 @@ def full_plan(folder, net):
 
 
 def full_study(folder):
-    taut(
-        folder,
-        "reproduce",
-        "--net",
-        "net.json",
-        *PRIOR,
-        "--samples",
-        12,
-        "--validation",
-        2,
-        "-o",
-        "study",
-        "--quiet",
-    )
+    taut(folder, "reproduce --net net.json --prior uniform:3mm --samples 12 --validation 2 -o study --quiet")
     study = read(folder / "study/results.json")
     study["paper"] = {"mse": 1.7e-8, "mrse": 0.002, "form_error": study["form_error"]}
     for method in study["methods"].values():
@@ -350,18 +205,11 @@ def full_study(folder):
 
 
 def full_comparison(folder):
-    wanted = [
-        "--noise",
-        "0,0.2mm",
-        "--training",
-        "10",
-        "--surveys",
-        2,
-        "--uncertain",
-        "supports:1mm",
-        "--quiet",
-    ]
-    taut(folder, "compare", "net.json", *PRIOR, *wanted, "-o", "comparison")
+    taut(
+        folder,
+        "compare net.json --prior uniform:3mm --noise 0,0.2mm --training 10 --surveys 2"
+        " --uncertain supports:1mm --quiet -o comparison",
+    )
     comparison = read(folder / "comparison/comparison.json")
     comparison["epoch_rows"] = [{**comparison["rows"][0], "epochs": 2, "turned": True}]
     for rows in ("rows", "model_error_rows", "epoch_rows"):
@@ -371,19 +219,11 @@ def full_comparison(folder):
 
 
 def full_control(folder):
-    wanted = [
-        "--tension",
-        "0.05kN..20kN",
-        "--draws",
-        50,
-        "--rounds",
-        1,
-        "--trials",
-        1,
-        "--noise",
-        "0.2mm",
-    ]
-    taut(folder, "control", "net.json", *PRIOR, *wanted, "-o", "control", "--quiet")
+    taut(
+        folder,
+        "control net.json --prior uniform:3mm --tension 0.05kN..20kN --draws 50 --rounds 1 --trials 1"
+        " --noise 0.2mm -o control --quiet",
+    )
     control = read(folder / "control/control.json")
     control["settings"]["step"] = 0.001
     return control
