@@ -134,21 +134,4 @@ TEST_F(EpochCommand, ShowsWidthsOfAFewDigits) {
                 HasSubstr(R"("given":"adjustable:0.124mm")"));
 }
 
-TEST_F(EpochCommand, RefusesWrongFilesInOneLine) {
-    write("wrong.csv", "edge,stroke\n0,5\n");
-    const auto refused = [&](const std::string& epoch, const std::string& text,
-                             const std::string& output = "both.json") {
-        const Files before = files();
-        expect_error(run({"identify", "net.json", "first.csv", "--epoch", epoch, "-o", output}), 2,
-                     text);
-        EXPECT_EQ(files(), before);
-    };
-    refused("second.csv:wrong.csv", "wrong.csv:2: ");
-    refused("second.csv:none.csv", "none.csv");
-    refused("none.csv:turns.csv", "none.csv");
-    refused("second.csv:", "--epoch is 'second.csv:', expected a survey");
-    refused("second.csv:second.csv", "second.csv:");
-    refused("second.csv:turns.csv", "turns.csv: is an input", "turns.csv");
-}
-
 }  // namespace

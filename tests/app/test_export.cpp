@@ -174,9 +174,6 @@ TEST_F(Export, SaysHowAResultIsExported) {
     const Outcome outcome =
         run({"export", "result.json", "nominal.csv", "--to", "vtk", "-o", "net.vtk"});
     EXPECT_THAT(outcome.err, HasSubstr("Leave out FORM"));
-    expect_error(run({"export", "net.json", "built.csv", "--lengths", "result.json", "--to", "vtk",
-                      "-o", "net.vtk"}),
-                 2, "result.json: is JSON, expected a CSV file of lengths");
 }
 
 TEST_F(Export, CountsTheLengthsThatTheSurveyDoesNotDetermine) {
@@ -192,32 +189,6 @@ TEST_F(Export, CountsTheLengthsThatTheSurveyDoesNotDetermine) {
         must_run({"export", "result.json", "--to", "net", "-o", "built.json", "--json"}));
     EXPECT_EQ(document["lengths_not_known"]["slack"].size(), 1U);
     EXPECT_EQ(document["lengths_not_known"]["not_determined"].size(), 2U);
-}
-
-TEST_F(Export, RefusesWrongInputsInOneLineAndTouchesNoFile) {
-    identify({});
-    write("study.json", R"({"format": "taut-study", "version": 1})");
-    write("short.csv", "id,x,y,z\n0,0,0,0\n");
-    write("old", "an earlier outcome\n");
-    const Files before = files();
-    const auto refused = [&](const Words& words, const std::string& named,
-                             const std::string& output = "old") {
-        expect_error(run(joined(joined({"export"}, words), {"-o", output})), 2, named);
-    };
-    refused({"no.json", "--to", "obj"}, "no.json");
-    refused({"net.json", "--to", "dxf"}, "dxf");
-    refused({"net.json"}, "--to");
-    refused({"net.json", "short.csv", "--to", "obj"}, "short.csv");
-    refused({"study.json", "--to", "net"}, "study.json:/format");
-    refused({"study.json", "--to", "xlsx"}, "study.json:/");
-    refused({"net.json", "--to", "xlsx"}, "net.json:/format");
-    refused({"result.json", "built.csv", "--to", "xlsx"}, "FORM and --lengths are for a net");
-    refused({"result.json", "--lengths", "truth.csv", "--to", "net"}, "result.json is a result");
-    refused({"net.json", "--lengths", "built.csv", "--to", "net"}, "built.csv:1: ");
-    refused({"net.json", "--lengths", "nothing.csv", "--to", "net"}, "nothing.csv");
-    refused({"net.json", "--lengths", "truth.csv", "--to", "net"}, "truth.csv: is an input",
-            "truth.csv");
-    EXPECT_EQ(files(), before);
 }
 
 }  // namespace

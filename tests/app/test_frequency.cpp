@@ -61,22 +61,4 @@ TEST_F(Frequency, ThatTheRecordDoesNotShowIsNotWritten) {
     EXPECT_THAT(lines("f.csv")[1], testing::StartsWith("3,9.5"));
 }
 
-TEST_F(Frequency, OfABadRequestIsRefused) {
-    must_run({"example", "hypar:2x3", "-o", "net.json"});
-    const Words command{"frequency", "plucked.csv"};
-    for (const auto& [words, named] : std::vector<std::pair<Words, std::string>>{
-             {{"-o", "f.csv"}, "--edge"},
-             {{"--edge", "3", "-o", "plucked.csv"}, "plucked.csv"},
-             {{"--edge", "none", "--net", "net.json"}, "'none'"},
-             {{"--range", "30..2Hz"}, "30..2Hz"},
-             {{"--range", "2Hz"}, "2Hz"},
-             {{"--rate", "-200"}, "-200"},
-             {{"--rate", "200Hz"}, "leave it out"}}) {
-        expect_error(run(joined(command, words)), 2, named);
-    }
-    write("short.csv", "t,a\n0,1\n0.01,2\n0.02,1\n");
-    expect_error(run({"frequency", "short.csv"}), 2, "short.csv: the record has 3 samples");
-    EXPECT_FALSE(exists("f.csv"));
-}
-
 }  // namespace

@@ -112,22 +112,4 @@ TEST_F(InspectSurvey, GivesTheSameForAListAndForASurvey) {
     EXPECT_EQ(statuses(survey({"survey.csv"})), statuses(list));
 }
 
-TEST_F(InspectSurvey, RefusesAWrongPlanAndOptionsThatNeedOne) {
-    plan(10, 20);
-    const auto refused = [this](const Words& options, const std::string& named) {
-        expect_error(run(joined({"inspect", "net.json"}, options)), 2, named);
-    };
-    for (const auto& [option, value] : {std::pair("--noise", "1mm"), std::pair("--frame", "net"),
-                                        std::pair("--prior", "normal:1mm")}) {
-        refused({option, value}, "--survey");
-    }
-    refused({"--survey", "targets.txt"}, "targets.txt: holds 90 of 100 free nodes");
-    refused({"--survey", "targets.txt", "--noise", "1mm", "--frame", "supports"}, "targets.txt: ");
-    refused({"--survey", "targets.txt", "--noise", "1mm", "--prior", "gauss:1mm"}, "'gauss:1mm'");
-    write("targets.txt", "1\n2\ntower\n4\n");
-    refused({"--survey", "targets.txt", "--noise", "1mm"}, "targets.txt:3: 'tower'");
-    write("targets.txt", "0\n1\n");
-    refused({"--survey", "targets.txt", "--noise", "1mm"}, "targets.txt: ");
-}
-
 }  // namespace

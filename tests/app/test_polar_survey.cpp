@@ -76,21 +76,6 @@ TEST_F(PolarWorkflow, UsesThePrecisionThatIsGivenAndWarnsWhereNoneIs) {
     const Outcome given = with({"--angle", "0.6mgon", "--range", "2mm+2ppm"});
     EXPECT_EQ(given.err, "");
     EXPECT_THAT(given.out, HasSubstr("angles 0.6 mgon, distances 2 mm + 2 ppm"));
-    expect_error(with({"--angle", "0.3"}), 2, "'0.3'");
-    expect_error(with({"--angle", "0gon"}), 2, "--angle is '0gon', expected");
-    expect_error(with({"--range", "1mm+1"}), 2, "'1mm+1'");
-}
-
-TEST_F(PolarWorkflow, RefusesWrongStationsAndPolarOptionsWithoutPolarObservations) {
-    const auto survey_with = [&](const Words& options) {
-        return run(joined({"survey", "net.json", "built.csv", "-o", "s.csv"}, options));
-    };
-    expect_error(survey_with({"--station", "1,2"}), 2, "--station is '1,2', expected a place in m");
-    EXPECT_EQ(survey_with({"--angle", "0.3mgon"}).exit_code, 2);
-    EXPECT_EQ(survey_with({"--station", "1,-6,1.6", "--noise", "1mm"}).exit_code, 2);
-    must_run({"survey", "net.json", "built.csv", "--noise", "1mm", "-o", "points.csv"});
-    expect_error(run({"identify", "net.json", "points.csv", "--angle", "0.3mgon"}), 2,
-                 "points.csv: ");
 }
 
 }  // namespace

@@ -95,10 +95,4 @@ TEST_F(SiteWorkflow, GivesTensionsWithIntervalsAndKeepsThePosteriorSamples) {
     EXPECT_FALSE(exists("none_draws.h5"));
 }
 
-TEST_F(SiteWorkflow, RefusesTooFewSupportsToFindTheFrame) {
-    write("survey.csv", "0,1,2,3\n");
-    expect_error(run({"identify", "net.json", "survey.csv", "--frame", "supports"}), 2,
-                 "survey.csv: holds 0 ");
-}
-
 }  // namespace

@@ -64,14 +64,6 @@ TEST_F(SurveyFormats, WriteTheTableOfNames) {
 }
 
 TEST_F(SurveyFormats, FollowTheirOptions) {
-    write("a.txt", "Punkt;a;b;c\n");
-    expect_error(run({"identify", "net.json", data_file("own.csv"), "--format", "gsi"}), 2,
-                 "own.csv:1: ");
-    expect_error(run({"identify", "net.json", data_file("own.csv"), "--columns", "id,x"}), 2,
-                 "columns");
-    expect_error(run({"identify", "net.json", data_file("own.csv"), "--unit", "furlong"}), 2,
-                 "--unit");
-    expect_error(run({"identify", "net.json", "a.txt"}), 2, "a.txt");
     // Exchanged axes are another survey.
     const Outcome exchanged = run({"identify", "net.json", data_file("own.csv"), "--columns",
                                    "id,y,x,z", "--match", "name", "--frame", "net"});
