@@ -28,33 +28,6 @@ def test_a_sheet_is_the_survey_to_all_digits_that_openpyxl_writes(net, columns, 
     assert of_sheet.notes[0] == "read as Excel sheet 'points', in m by the file"
 
 
-@pytest.mark.parametrize(
-    ("cell", "value", "words"),
-    [
-        ("C4", "=B4*2", "survey.xlsx:4: cell C4 holds a formula that was never computed"),
-        ("C4", "#DIV/0!", "survey.xlsx:4: cell C4 holds the error '#DIV/0!'"),
-        ("C4", "one", "survey.xlsx:4: y is 'one', expected a finite number"),
-    ],
-)
-def test_a_cell_without_a_number_is_named(net, columns, tmp_path, cell, value, words):
-    book = workbook(columns)
-    book["points"][cell] = value
-    book.save(tmp_path / "survey.xlsx")
-    with pytest.raises(ValueError, match=words.replace("*", r"\*")):
-        taut.read_survey(net, tmp_path / "survey.xlsx")
-
-
-def test_two_sheets_with_points_are_refused(net, columns, tmp_path):
-    book = workbook(columns)
-    copy = book.copy_worksheet(book["points"])
-    book.save(tmp_path / "survey.xlsx")
-    with pytest.raises(ValueError, match="holds tables in the sheets 'points', 'points Copy'"):
-        taut.read_survey(net, tmp_path / "survey.xlsx")
-    copy.sheet_state = "hidden"
-    book.save(tmp_path / "survey.xlsx")
-    assert taut.read_survey(net, tmp_path / "survey.xlsx").warnings == []
-
-
 def test_the_list_of_turns_opens_as_numbers(found, tmp_path):
     plan = taut.plan(found, stroke=0.02, turn=2e-3, step=0.25, thread="right")
     plan.save(tmp_path / "plan.json", csv=tmp_path / "turns.csv")

@@ -62,10 +62,6 @@ def test_bad_arguments_are_named(record):
     for arguments, words in [
         ((time[:-1], signal), "time"),
         ((time, signal[:, :, None]), "signal"),
-        ((time[::-1], signal), "sample 1: time"),
-        ((1e3 * time, signal), "seconds"),
-        ((time[:100], signal[:100]), "100 samples"),
-        ((time, 0 * signal), "constant"),
     ]:
         with pytest.raises(ValueError, match=words):
             taut.frequency(*arguments)

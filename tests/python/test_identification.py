@@ -175,8 +175,6 @@ def test_a_survey_is_predicted(net):
 
 def test_measurements_are_suggested_by_their_worth(net):
     found = taut.suggest_measurements(net, noise=0.5e-3, count=3)
-    left = [found.std, *(step["remaining_std"] for step in found.steps)]
-    assert left == sorted(left, reverse=True)
     assert [step["total_cost"] for step in found.steps] == [1.0, 2.0, 3.0]
     assert found.left_out[0].startswith("frequencies and sags: the net has no mass")
     assert found.to_dict()["steps"] == found.steps
@@ -187,22 +185,15 @@ def test_measurements_are_suggested_by_their_worth(net):
     form = taut.suggest_measurements(net, targets=some, quantity="form", costs={"target": 0.01})
     assert form.steps[0]["kind"] == "target"
     assert form.steps[0]["node"] not in some
-    with pytest.raises(ValueError, match="a kind of measurement is 'cell'"):
-        taut.suggest_measurements(net, costs={"cell": 1.0})
-    with pytest.raises(ValueError, match="what is sought is 'tension'"):
-        taut.suggest_measurements(net, quantity="tension")
 
 
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
         ({"method": "luck"}, "luck"),
-        ({"prior": "uniform:5"}, "uniform:5"),
-        ({"uncertain": ["weather:1"]}, "weather"),
         ({"draws": -1}, "draws"),
         ({"covariance_of": [10**6]}, "covariance"),
         ({"slack": [0], "taut": [0]}, "slack"),
-        ({"forces": [(10**6, 1.0, 1.0)]}, "edge"),
     ],
 )
 def test_arguments_that_contradict_each_other_are_refused(net, survey, settings, words):

@@ -73,8 +73,6 @@ def test_parts_join_to_what_one_call_draws(net):
     joined = sampler.joined(parts)
     expected = sampler.draw(15)
     assert np.array_equal(joined.form_deviations, expected.form_deviations)
-    with pytest.raises(ValueError, match="sample 5 nowhere"):
-        sampler.joined([parts[0], parts[1]])
 
 
 def test_dask_shares_samples_out(net):
