@@ -12,70 +12,20 @@ ROOF_HEAD = b"ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty float x
 
 #: Numbers that no file should hold where another one stands.
 NUMBERS = [
-    0,
-    -1,
-    1,
-    -0.0,
-    1e-300,
-    1e-15,
-    1e15,
-    1e16,
-    1e155,
-    1e160,
-    1e308,
-    -1e308,
-    2**31,
-    2**32,
-    2**63,
-    2**64,
-    0.1,
-    1e9,
-]
+    0, -1, 1, -0.0, 1e-300, 1e-15, 1e15, 1e16, 1e155, 1e160, 1e308, -1e308, 2**31, 2**32, 2**63,
+    2**64, 0.1, 1e9,
+]  # fmt: skip
 #: And values of another kind.
 VALUES = [
-    None,
-    True,
-    False,
-    "",
-    "x",
-    "\x1b[31mred",
-    "nan",
-    "-1",
-    [],
-    {},
-    [[]],
-    [1, 2],
-    {"a": 1},
-    "𝄞" * 50,
-    "a" * 5000,
-    "\u202eabc",
-    "-",
-]
+    None, True, False, "", "x", "\x1b[31mred", "nan", "-1", [], {}, [[]], [1, 2], {"a": 1},
+    "𝄞" * 50, "a" * 5000, "\u202eabc", "-",
+]  # fmt: skip
 #: What is put in between bytes of any text.
 SNIPPETS = [
-    b"",
-    b"\x00",
-    b"\xff",
-    b",",
-    b"\n",
-    b"\r",
-    b'"',
-    b"[",
-    b"{",
-    b"nan",
-    b"inf",
-    b"-inf",
-    b"1e999",
-    b"\x1b[2J",
-    b"\xef\xbb\xbf",
-    b"1e308",
-    b"-",
-    b"0" * 400,
-    b"," * 3000,
-    b"\xc2\x9b",
-    b"#",
+    b"", b"\x00", b"\xff", b",", b"\n", b"\r", b'"', b"[", b"{", b"nan", b"inf", b"-inf", b"1e999",
+    b"\x1b[2J", b"\xef\xbb\xbf", b"1e308", b"-", b"0" * 400, b"," * 3000, b"\xc2\x9b", b"#",
     b"=1+1",
-]
+]  # fmt: skip
 
 
 def places(value, path=()):
@@ -275,40 +225,11 @@ COMMANDS = [
 
 #: Words that are put in the place of others, or at the end.
 WORDS = [
-    "",
-    "-",
-    "--",
-    "-o",
-    "--noise",
-    "nanmm",
-    "1e308m",
-    "-1mm",
-    "--prior",
-    "uniform:1e9mm",
-    "--threads",
-    "--memory",
-    "300MiB",
-    "0",
-    "99999999999",
-    "--seed",
-    "-1",
-    "2^3",
-    "--json",
-    "--quiet",
-    "/dev/null",
-    "/dev/full",
-    ".",
-    "..",
-    "nowhere/out",
-    "\x1b[31m",
-    "a" * 3000,
-    "--frame",
-    "net",
-    "--unit",
-    "mm",
-    "--help",
-    "--version",
-]
+    "", "-", "--", "-o", "--noise", "nanmm", "1e308m", "-1mm", "--prior", "uniform:1e9mm",
+    "--threads", "--memory", "300MiB", "0", "99999999999", "--seed", "-1", "2^3", "--json",
+    "--quiet", "/dev/null", "/dev/full", ".", "..", "nowhere/out", "\x1b[31m", "a" * 3000,
+    "--frame", "net", "--unit", "mm", "--help", "--version",
+]  # fmt: skip
 
 
 def changed_words(rng: random.Random, words: list[str]) -> list[str]:

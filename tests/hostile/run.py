@@ -50,67 +50,34 @@ end_header
 def make_originals(sandbox: Sandbox, folder: Path):
     """An example of each input: what the program makes of a small net, and tables by hand."""
 
-    def do(*words: str):
-        run = sandbox.run(*words, "--quiet")
+    def do(words: str):
+        run = sandbox.run(*words.split(), "--quiet")
         if run.code != 0:
             raise SystemExit(f"hostile: an example cannot be made: {run}")
 
     folder.mkdir()
-    do("example", "hypar:4x4", "-o", "net.json")
-    do("form", "net.json", "-o", "form.csv")
-    do("form", "net.json", "--prior", "uniform:1mm", "-o", "built.csv")
-    do("survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "survey.csv")
-    do("survey", "net.json", "built.csv", "--noise", "0.3mm", "--seed", "2", "-o", "second.csv")
-    do(
-        "survey",
-        "net.json",
-        "built.csv",
-        "--station",
-        "1,-3,1",
-        "--station",
-        "-2,2,1",
-        "-o",
-        "polar.csv",
-    )
-    do("sample", "net.json", "-n", "30", "-o", "data.h5")
-    do("train", "data.h5", "-o", "model.h5")
-    do(
-        "identify",
-        "net.json",
-        "survey.csv",
-        "--noise",
-        "0.3mm",
-        "--prior",
-        "uniform:1mm",
-        "-o",
-        "result.json",
-    )
-    do("plan", "net.json", "result.json", "--csv", "turns.csv", "--turn", "5mm", "-o", "plan.json")
-    do("reproduce", "--net", "net.json", "--samples", "12", "--validation", "2", "-o", "study")
-    do(
-        "compare",
-        "net.json",
-        "-o",
-        "compared",
-        "--noise",
-        "0.3mm",
-        "--training",
-        "10",
-        "--surveys",
-        "2",
-    )
-    do("control", "net.json", "-o", "jobs", "--trials", "2", "--rounds", "1", "--draws", "20")
-    do("export", "net.json", "--to", "compas", "-o", "compas.json")
-    do("export", "net.json", "--to", "csv", "-o", "nodes.csv")
-    do("export", "net.json", "--to", "obj", "-o", "net.obj")
-    do("example", "hypar:2x2", "-o", "tiny.json")
-    do("export", "tiny.json", "--to", "compas", "-o", "tiny_compas.json")
+    do("example hypar:4x4 -o net.json")
+    do("form net.json -o form.csv")
+    do("form net.json --prior uniform:1mm -o built.csv")
+    do("survey net.json built.csv --noise 0.3mm -o survey.csv")
+    do("survey net.json built.csv --noise 0.3mm --seed 2 -o second.csv")
+    do("survey net.json built.csv --station 1,-3,1 --station -2,2,1 -o polar.csv")
+    do("sample net.json -n 30 -o data.h5")
+    do("train data.h5 -o model.h5")
+    do("identify net.json survey.csv --noise 0.3mm --prior uniform:1mm -o result.json")
+    do("plan net.json result.json --csv turns.csv --turn 5mm -o plan.json")
+    do("reproduce --net net.json --samples 12 --validation 2 -o study")
+    do("compare net.json -o compared --noise 0.3mm --training 10 --surveys 2")
+    do("control net.json -o jobs --trials 2 --rounds 1 --draws 20")
+    do("export net.json --to compas -o compas.json")
+    do("export net.json --to csv -o nodes.csv")
+    do("export net.json --to obj -o net.obj")
+    do("example hypar:2x2 -o tiny.json")
+    do("export tiny.json --to compas -o tiny_compas.json")
     net = json.loads(sandbox.read("net.json"))
     rows = sandbox.read("form.csv").decode().splitlines()
-    edge, node = (
-        net["adjustable"][0],
-        next(n for n in range(len(net["nodes"])) if n not in net["supports"]),
-    )
+    edge = net["adjustable"][0]
+    node = next(n for n in range(len(net["nodes"])) if n not in net["supports"])
     for name, text in {
         "turned.csv": f"edge,stroke_mm\n{edge},2.5\n",
         "forces.csv": f"edge,tension,std\n{edge},4000,50\n",
@@ -130,7 +97,7 @@ def make_originals(sandbox: Sandbox, folder: Path):
     for folder_name, file, name in (("study", "results", "study"), ("compared", "comparison", "comparison"), ("jobs", "control", "jobs")):  # fmt: skip
         (folder / f"{name}.json").write_bytes(sandbox.read(f"{folder_name}/{file}.json"))
     # The net that the surveys of other programs in tests/data are of.
-    do("example", "hypar:4x5", "-o", "net45.json")
+    do("example hypar:4x5 -o net45.json")
     (folder / "net45.json").write_bytes(sandbox.read("net45.json"))
     for path in FOREIGN.iterdir():
         if path.suffix != ".py" and "worst" not in path.name:
@@ -147,30 +114,16 @@ def write_page(what: str, rows: list[tuple[str, int, int, int]]):
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", type=Path, required=True)
-    parser.add_argument(
-        "--seconds", type=float, default=60.0, help="after the seeds that were found before"
-    )
-    parser.add_argument(
-        "--seed", type=int, default=None, help="of the first case (default: by the clock)"
-    )
-    parser.add_argument(
-        "--area",
-        action="append",
-        choices=[*AREAS, "faults"],
-        help="one of them; may be given again",
-    )
-    parser.add_argument(
-        "--without", action="append", default=[], choices=AREAS, help="not this area"
-    )
-    parser.add_argument("--cases", type=int, default=None, help="at most so many of each area")
-    parser.add_argument(
-        "--every-fault", action="store_true", help="each call of the system fails in turn, too"
-    )
-    parser.add_argument(
-        "--write", action="store_true", help="put the counts into docs/reliability.md"
-    )
-    parser.add_argument("--keep", action="store_true", help="add what is found to seeds.json")
+    option = parser.add_argument
+    option("--program", type=Path, required=True)
+    option("--seconds", type=float, default=60.0, help="after the seeds that were found before")
+    option("--seed", type=int, default=None, help="of the first case (default: by the clock)")
+    option("--area", action="append", choices=[*AREAS, "faults"], help="one; may be given again")
+    option("--without", action="append", default=[], choices=AREAS, help="not this area")
+    option("--cases", type=int, default=None, help="at most so many of each area")
+    option("--every-fault", action="store_true", help="each call of the system fails in turn, too")
+    option("--write", action="store_true", help="put the counts into docs/reliability.md")
+    option("--keep", action="store_true", help="add what is found to seeds.json")
     arguments = parser.parse_args()
     areas = {**AREAS, "faults": faults}
     chosen = [area for area in arguments.area or areas if area not in arguments.without]
