@@ -100,15 +100,6 @@ TEST_F(EpochCommand, LeadsToAPlanOfTheRemainingTurns) {
     must_run({"report", "both.json", "-o", "both.html"});
 }
 
-/// What both surveys share, as the lengths of adjustable edges, is not averaged away.
-TEST_F(EpochCommand, ShowsLengthsBetterTheMoreIsKnown) {
-    const std::vector<std::string> exactly{"--uncertain", "none"};
-    must_run({"identify", "net.json", "first.csv", "--prior", "uniform:3mm", "--draws", "0",
-              "--uncertain", "none", "-o", "one.json"});
-    ASSERT_EQ(identify("second.csv:turns.csv", exactly).exit_code, 0);
-    EXPECT_LT(mean_variance("both.json"), 0.7 * mean_variance("one.json"));
-}
-
 TEST_F(EpochCommand, HasTheEdgesThatWereTurnedInTheTruth) {
     must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "--turned", "turns.csv",
               "--lengths", "turned_truth.csv", "-o", "form.csv"});
