@@ -33,8 +33,9 @@ struct TAUT_CORE_EXPORT FoundScale {
 struct VarianceComponents {
     FoundScale noise;    ///< of the standard deviations of surveyed coordinates
     FoundScale lengths;  ///< of the standard deviation of the prior
-    /// Of the noise along x, y and z, at the lengths as given, or as wide as they show where one is
-    /// too large; empty where not computed.
+    /// Of the noise along x, y and z, (noise-axes) where these explain the survey better than a
+    /// common scale. Else at the lengths as given, or as wide as they show where one is too large.
+    /// Empty where not computed.
     std::vector<FoundScale> noise_by_axis;
 };
 
