@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "support/bad_input.hpp"
 #include "support/errors.hpp"
@@ -102,20 +101,15 @@ TEST(NetJsonErrors, AreAtTheJsonPointerOfTheValue) {
 /nodes/1 | 3 | is 3, expected an array of three numbers [x, y, z]
 /nodes/1 | [1, 2] | has 2 entries, expected an array of three numbers [x, y, z]
 /nodes/1/2 | "1.5" | is the text '1.5', expected a number
-/nodes/1/2 | 1e60 | is 1e+60, expected no more than 1e+15
-/supports | [0, 1, 2] | holds every node, expected at least one free node
 /supports/1 | 1.5 | is 1.5, expected a whole number
 /supports/1 | 4294967298 | is 4294967298, expected a whole number up to 2147483647
 /supports/1 | 18446744073709551615 |
     is 18446744073709551615, expected a whole number up to 2147483647
-/supports/1 | -1 | is -1, expected the index of one of the 3 nodes
 /edges/0 | [0, 1, 2] | has 3 entries, expected an array of two nodes [s, t]
 /edges/0/1 | 7 | /edges/0: names node 7, expected one of the 3 nodes
 /axial_stiffness |  | is missing, expected an array of numbers, or one number
 /axial_stiffness | "200 kN" | is the text '200 kN', expected an array of numbers
-/unstressed_lengths/1 | 0 | is 0, expected a positive and finite number
 /adjustable | [1, 1] | /adjustable/1: lists edge 1 a second time
-/loads | [[0, 0, 0]] | has 1 entries, expected 3, one for each node
 /node_ids/1 | 1 | is 1, expected text
 )",
                          [](const std::string& net) { return parse_net(net, "net.json"); });
@@ -134,20 +128,6 @@ TEST(NetJsonErrors, ComeForAFileCutShortAnywhere) {
             [&] { return parse_net(std::string_view(text).substr(0, length), "net.json"); });
         ASSERT_THAT(message, testing::StartsWith("net.json:")) << "cut after " << length;
     }
-}
-
-TEST(NetJsonErrors, ComeOrNotButNothingElseDoesForAFileWithDamagedBytes) {
-    const NetFile file = test::example_net();
-    const std::string text = net_to_json(file.net, file.unknown_keys);
-    std::mt19937 random(1);
-    int refused = 0;
-    for (int i = 0; i < 2000; ++i) {
-        std::string damaged = text;
-        damaged[random() % damaged.size()] = static_cast<char>(random());
-        refused +=
-            test::succeeds_or_refuses([&] { return parse_net(damaged, "net.json"); }) ? 0 : 1;
-    }
-    EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
