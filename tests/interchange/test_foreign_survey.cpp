@@ -25,7 +25,6 @@ using testing::HasSubstr;
 
 /// Two points, "P1" at (1.5, -2.25, 0.125) m and "7" at (4, 5, 6) m, in a file.
 struct ForeignText {
-    const char* name;
     std::string file;
     std::string text;
     double unit;  ///< of the file; 0: none
@@ -34,100 +33,78 @@ struct ForeignText {
 const std::string landxml_head =
     "<?xml version=\"1.0\"?>\n<LandXML xmlns=\"http://www.landxml.org/schema/LandXML-1.2\">";
 
-class GoodForeignSurvey : public testing::TestWithParam<ForeignText> {};
-
-TEST_P(GoodForeignSurvey, GivesTheSameTwoPoints) {
-    const ForeignText& good = GetParam();
-    const ForeignSurvey survey = read_foreign_survey(good.text, good.file);
-    EXPECT_EQ(survey.unit.value_or(0.0), good.unit);
-    ASSERT_EQ(survey.points.size(), 2U);
-    const double unit = survey.unit.value_or(1.0);
-    EXPECT_EQ(survey.points[0].id, "P1");
-    EXPECT_LT((unit * survey.points[0].position - Eigen::Vector3d(1.5, -2.25, 0.125)).norm(),
-              1e-12);
-    EXPECT_EQ(survey.points[1].id, "7");
-    EXPECT_LT((unit * survey.points[1].position - Eigen::Vector3d(4, 5, 6)).norm(), 1e-12);
-    EXPECT_FALSE(survey.notes.empty());
+TEST(ForeignSurvey, GivesTheSameTwoPointsOutOfEveryFormat) {
+    const std::vector<ForeignText> all{
+        {"a.csv", "Punkt;X;Y;Z\nP1;1,5;-2,25;0,125\n7;4;5;6\n", 0},
+        {"a.txt", "Pkt-Nr;Rechtswert;Hochwert;H\xF6he\nP1;1,5;-2,25;,125\n7;4,0;5,0;6,0\n", 0},
+        {"a.asc", "id x y z sx sy sz  remark\nP1 1.5 -2.25 0.125 1 2 3 a b c\n7 4 5 6 0 0 0\n", 0},
+        {"a.csv", "Punkt;X [mm];Y [mm];Z [mm]\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
+        {"a.csv", "Punkt;X;Y;Z\n-;mm;mm;mm\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
+        {"a.csv", "# Einheit: mm\nPunkt;X;Y;Z\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
+        {"a.csv",
+         "id,x (ft),y (ft),z "
+         "(ft)\nP1,4.92125984251968504,-7.38188976377952756,0.41010498687664042\n7,13."
+         "1233595800524934,16.4041994750656168,19.6850393700787402\n",
+         0.3048},
+        {"a.txt", "Punkt\tBemerkung\tX\tY\tZ\nP1\tam Mast\t1,5\t-2,25\t0,125\n7\t\t4\t5\t6\n", 0},
+        {"a.txt",
+         "Projekt S\xC3\xBC"
+         "d\n// second set\nName East North Height\nP1 1.5 -2.25 0.125\n7 4 5 6\n",
+         0},
+        {"a.txt", "// id y x z\nP1 -2.25 1.5 0.125\n7 5 4 6\n", 0},
+        {"a.csv", "Name;X;Y;Z\nP1;1,5;-2,25;0,125\nB;1,5;2;\n7;4;5;6\nEnde\n", 0},
+        {"a.txt", "P1;1,5;-2,25;0,125;T\n7;4;5;6;T\n", 0},
+        {"a.gsi",
+         "110001+000000P1 81...0+00001500 82...0-00002250 83...0+00000125\n110002+00000007 "
+         "81...0+00004000 82...0+00005000 83...0+00006000 \n",
+         1},
+        {"a.txt",
+         "*410001+00000000000000A1\n*110002+00000000000000P1 21.322+0000000012345678 "
+         "81..46+0000000000015000 82..48-0000000000225000 "
+         "83..00+0000000000000125\n*110003+0000000000000007 81..46+0000000000040000 "
+         "82..46+0000000000050000 83..46+0000000000060000\n",
+         1},
+        {"a.xml",
+         landxml_head +
+             "<Units><Metric linearUnit=\"millimeter\"/></Units><CgPoints><CgPoint "
+             "name=\"P1\">-2250 1500 125</CgPoint>\n<CgPoint name=\"flat\">1 2</CgPoint><CgPoint "
+             "name=\"7\" code=\"T\"> 5000 4000\n6000 </CgPoint></CgPoints></LandXML>",
+         1e-3},
+        {"a.jxl",
+         "<JOBFile><FieldBook><PointRecord><Name>P1</Name><Grid><North>9</North><East>9</"
+         "East><Elevation>9</Elevation></Grid></PointRecord></"
+         "FieldBook><Reductions><Point><Name>P1</Name><Grid><North>-2.25</North><East>1.5</"
+         "East><Elevation>0.125</Elevation></Grid></Point><Point><Name>7</Name><Grid><North>5</"
+         "North><East>4</East><Elevation>6</Elevation></Grid></Point></Reductions></JOBFile>",
+         1},
+        {"a.jxl",
+         "<JOBFile><FieldBook><PointRecord><Name>P1</Name><Grid><North/><East/><Elevation/></"
+         "Grid><ComputedGrid><North>-2.25</North><East>1.5</East><Elevation>0.125</Elevation></"
+         "ComputedGrid></PointRecord><PointRecord><Name>7</Name><Grid><North>5</North><East>4</"
+         "East><Elevation>6</Elevation></Grid></PointRecord><PointRecord><Name>8</"
+         "Name><Deleted>true</Deleted><Grid><North>5</North><East>4</East><Elevation>6</"
+         "Elevation></Grid></PointRecord></FieldBook></JOBFile>",
+         1},
+        {"a.dxf",
+         "  0\nSECTION\n  2\nHEADER\n  9\n$INSUNITS\n 70\n 4\n  0\nENDSEC\n  0\nSECTION\n  "
+         "2\nENTITIES\n  0\nTEXT\n 10\n4010\n 20\n5010\n 30\n6000\n  1\n7\n  0\nPOINT\n 10\n1500\n "
+         "20\n-2250\n 30\n125\n  0\nPOINT\n 10\n4000\n 20\n5000\n 30\n6000\n  0\nTEXT\n 10\n1510\n "
+         "20\n-2240\n 30\n125\n  1\nP1\n  0\nENDSEC\n  0\nEOF\n",
+         1e-3}};
+    for (const ForeignText& good : all) {
+        SCOPED_TRACE(good.file + ": " + good.text);
+        const ForeignSurvey survey = read_foreign_survey(good.text, good.file);
+        EXPECT_EQ(survey.unit.value_or(0.0), good.unit);
+        ASSERT_EQ(survey.points.size(), 2U);
+        const double unit = survey.unit.value_or(1.0);
+        EXPECT_EQ(survey.points[0].id, "P1");
+        EXPECT_LT((unit * survey.points[0].position - Eigen::Vector3d(1.5, -2.25, 0.125)).norm(),
+                  1e-12);
+        EXPECT_EQ(survey.points[1].id, "7");
+        EXPECT_LT((unit * survey.points[1].position - Eigen::Vector3d(4, 5, 6)).norm(), 1e-12);
+        EXPECT_FALSE(survey.notes.empty());
+    }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Tables, GoodForeignSurvey,
-    testing::Values(
-        ForeignText{"German", "a.csv", "Punkt;X;Y;Z\nP1;1,5;-2,25;0,125\n7;4;5;6\n", 0},
-        ForeignText{"RechtswertHochwertLatin1", "a.txt",
-                    "Pkt-Nr;Rechtswert;Hochwert;H\xF6he\nP1;1,5;-2,25;,125\n7;4,0;5,0;6,0\n", 0},
-        ForeignText{"BlanksWithStandardDeviations", "a.asc",
-                    "id x y z sx sy sz  remark\nP1 1.5 -2.25 0.125 1 2 3 a b c\n7 4 5 6 0 0 0\n",
-                    0},
-        ForeignText{"MillimetresInTheHeader", "a.csv",
-                    "Punkt;X [mm];Y [mm];Z [mm]\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
-        ForeignText{"UnitsBelowTheHeader", "a.csv",
-                    "Punkt;X;Y;Z\n-;mm;mm;mm\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
-        ForeignText{"UnitInAText", "a.csv",
-                    "# Einheit: mm\nPunkt;X;Y;Z\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
-        ForeignText{"Feet", "a.csv",
-                    "id,x (ft),y (ft),z (ft)\nP1,4.92125984251968504,-7.38188976377952756,"
-                    "0.41010498687664042\n7,13.1233595800524934,16.4041994750656168,"
-                    "19.6850393700787402\n",
-                    0.3048},
-        ForeignText{"TabsAndNamesWithBlanksLeftOut", "a.txt",
-                    "Punkt\tBemerkung\tX\tY\tZ\nP1\tam Mast\t1,5\t-2,25\t0,125\n7\t\t4\t5\t6\n", 0},
-        ForeignText{"TextsAndCommentsBefore", "a.txt",
-                    "Projekt S\xC3\xBC"
-                    "d\n// second set\nName East North Height\nP1 1.5 -2.25 0.125\n7 4 5 6\n",
-                    0},
-        ForeignText{"HeaderInAComment", "a.txt", "// id y x z\nP1 -2.25 1.5 0.125\n7 5 4 6\n", 0},
-        ForeignText{"FooterAndRowsWithoutHeight", "a.csv",
-                    "Name;X;Y;Z\nP1;1,5;-2,25;0,125\nB;1,5;2;\n7;4;5;6\nEnde\n", 0},
-        ForeignText{"WithoutHeaderWithCode", "a.txt", "P1;1,5;-2,25;0,125;T\n7;4;5;6;T\n", 0}),
-    [](const auto& param) { return param.param.name; });
-
-INSTANTIATE_TEST_SUITE_P(
-    Instruments, GoodForeignSurvey,
-    testing::Values(
-        ForeignText{"Gsi8", "a.gsi",
-                    "110001+000000P1 81...0+00001500 82...0-00002250 83...0+00000125\n"
-                    "110002+00000007 81...0+00004000 82...0+00005000 83...0+00006000 \n",
-                    1},
-        ForeignText{"Gsi16WithOtherWords", "a.txt",
-                    "*410001+00000000000000A1\n"
-                    "*110002+00000000000000P1 21.322+0000000012345678 81..46+0000000000015000 "
-                    "82..48-0000000000225000 83..00+0000000000000125\n"
-                    "*110003+0000000000000007 81..46+0000000000040000 82..46+0000000000050000 "
-                    "83..46+0000000000060000\n",
-                    1},
-        ForeignText{"LandXml", "a.xml",
-                    landxml_head +
-                        "<Units><Metric linearUnit=\"millimeter\"/></Units><CgPoints>"
-                        "<CgPoint name=\"P1\">-2250 1500 125</CgPoint>\n"
-                        "<CgPoint name=\"flat\">1 2</CgPoint>"
-                        "<CgPoint name=\"7\" code=\"T\"> 5000 4000\n6000 </CgPoint></CgPoints>"
-                        "</LandXML>",
-                    1e-3},
-        ForeignText{"JobXmlReductions", "a.jxl",
-                    "<JOBFile><FieldBook><PointRecord><Name>P1</Name><Grid><North>9</North><East>9"
-                    "</East><Elevation>9</Elevation></Grid></PointRecord></FieldBook><Reductions>"
-                    "<Point><Name>P1</Name><Grid><North>-2.25</North><East>1.5</East><Elevation>"
-                    "0.125</Elevation></Grid></Point><Point><Name>7</Name><Grid><North>5</North>"
-                    "<East>4</East><Elevation>6</Elevation></Grid></Point></Reductions></JOBFile>",
-                    1},
-        ForeignText{"JobXmlRecords", "a.jxl",
-                    "<JOBFile><FieldBook><PointRecord><Name>P1</Name><Grid><North/><East/>"
-                    "<Elevation/></Grid><ComputedGrid><North>-2.25</North><East>1.5</East>"
-                    "<Elevation>0.125</Elevation></ComputedGrid></PointRecord><PointRecord><Name>7"
-                    "</Name><Grid><North>5</North><East>4</East><Elevation>6</Elevation></Grid>"
-                    "</PointRecord><PointRecord><Name>8</Name><Deleted>true</Deleted><Grid><North>5"
-                    "</North><East>4</East><Elevation>6</Elevation></Grid></PointRecord>"
-                    "</FieldBook></JOBFile>",
-                    1},
-        ForeignText{
-            "Dxf", "a.dxf",
-            "  0\nSECTION\n  2\nHEADER\n  9\n$INSUNITS\n 70\n 4\n  0\nENDSEC\n  0\nSECTION\n"
-            "  2\nENTITIES\n  0\nTEXT\n 10\n4010\n 20\n5010\n 30\n6000\n  1\n7\n  0\nPOINT\n"
-            " 10\n1500\n 20\n-2250\n 30\n125\n  0\nPOINT\n 10\n4000\n 20\n5000\n 30\n6000\n"
-            "  0\nTEXT\n 10\n1510\n 20\n-2240\n 30\n125\n  1\nP1\n  0\nENDSEC\n  0\nEOF\n",
-            1e-3}),
-    [](const auto& param) { return param.param.name; });
 
 TEST(ForeignSurvey, SaysHowATableWasUnderstood) {
     const ForeignSurvey survey = read_foreign_survey(

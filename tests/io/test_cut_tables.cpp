@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <ostream>
 
 #include "support/errors.hpp"
 #include "support/small_nets.hpp"
@@ -29,72 +28,62 @@ using testing::HasSubstr;
 
 const std::string file_name = "a.txt";
 
-/// A table, and what is read of it.
+/// A table, and what reads it.
 struct Table {
-    const char* name;
     std::string text;
     std::function<void(const std::string&)> read;
 };
 
-void PrintTo(const Table& table, std::ostream* stream) {
-    *stream << table.name;
-}
-
-class CutTable : public testing::TestWithParam<Table> {};
-
-TEST_P(CutTable, IsRefusedWhereverItsLastLineWasCut) {
-    const Table& table = GetParam();
-    table.read(table.text);
-    ASSERT_TRUE(table.text.ends_with('\n'));
-    const size_t last = table.text.find_last_of('\n', table.text.size() - 2) + 1;
-    for (size_t length = last + 1; length < table.text.size(); ++length) {
-        const std::string cut = table.text.substr(0, length);
-        EXPECT_FALSE(test::succeeds_or_refuses([&] { return table.read(cut), 0; })) << cut;
+TEST(CutTable, IsRefusedWhereverItsLastLineWasCut) {
+    const std::vector<Table> tables{
+        {"id,x,y,z,sx,sy,sz\nA,1,2,3,0.0005,0.0005,0.0005\nB,1,2,33,0.5,0.5,0.55\n",
+         [](const std::string& text) { (void)parse_survey_points(text, file_name); }},
+        {"2\n1 2 3\n4 5 66\n",
+         [](const std::string& text) { (void)parse_pts_points(text, file_name); }},
+        {"Name;X;Y;Z\nA;1;2;3\nB;1;2;33\n",
+         [](const std::string& text) { (void)read_foreign_survey(text, file_name); }},
+        {"1.25 2 3\n1 2 33\n",
+         [](const std::string& text) {
+             (void)read_foreign_survey(text, file_name, {.format = SurveyFormat::xyz});
+         }},
+        {"station,target,hz [gon],v [gon],distance [m]\nS,A,1,99,2.5\nS,B,1,99,2.5\n",
+         [](const std::string& text) { (void)parse_polar_csv(text, file_name, {}); }},
+        {"edge,tension\naB,1000\nab,20000\n",
+         [](const std::string& text) {
+             (void)parse_force_measurements(test::two_node_net(), text, file_name, {});
+         }},
+        {"12\n345\n", [](const std::string& text) { (void)parse_target_list(text, file_name); }},
+        {"id,x,y,z,is_free\n0,0,0,0,0\n1,1,0,0,1\n2,2,0,0,0\n",
+         [](const std::string& text) {
+             (void)parse_net_csv({.nodes = text, .edges = "s,t,q\n0,1,5\n1,2,5\n"}, file_name,
+                                 "edges.csv");
+         }},
+        {"v 0 0 0\nv 1 0 0\nv 2 0 0\nl 1 2\nl 2 3\n",
+         [](const std::string& text) { (void)parse_obj(text, file_name); }},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 2 0 11\n",
+         [](const std::string& text) { (void)parse_surface_mesh(text, file_name); }},
+        {"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement "
+         "vertex 3\nproperty double x\nproperty double y\nproperty double z\nend_header\n3 0 1 "
+         "2\n0 0 0\n1 0 0\n0 1 12.5\n",
+         [](const std::string& text) { (void)parse_surface_mesh(text, file_name); }}};
+    for (const Table& table : tables) {
+        SCOPED_TRACE(table.text);
+        table.read(table.text);
+        ASSERT_TRUE(table.text.ends_with('\n'));
+        const size_t last = table.text.find_last_of('\n', table.text.size() - 2) + 1;
+        for (size_t length = last + 1; length < table.text.size(); ++length) {
+            const std::string cut = table.text.substr(0, length);
+            EXPECT_FALSE(test::succeeds_or_refuses([&] { return table.read(cut), 0; })) << cut;
+        }
+        const auto line = 1 + std::ranges::count(table.text.substr(0, last), '\n');
+        EXPECT_EQ(
+            test::input_error_of(
+                [&] { return table.read(table.text.substr(0, table.text.size() - 1)), 0; }),
+            fmt::format("{}:{}: is the last line and has no line break, expected one as behind "
+                        "all others: is the file whole?",
+                        file_name, line));
     }
-    const auto line = 1 + std::ranges::count(table.text.substr(0, last), '\n');
-    EXPECT_EQ(test::input_error_of(
-                  [&] { return table.read(table.text.substr(0, table.text.size() - 1)), 0; }),
-              fmt::format("{}:{}: is the last line and has no line break, expected one as behind "
-                          "all others: is the file whole?",
-                          file_name, line));
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    All, CutTable,
-    testing::Values(
-        Table{"Survey", "id,x,y,z,sx,sy,sz\nA,1,2,3,0.0005,0.0005,0.0005\nB,1,2,33,0.5,0.5,0.55\n",
-              [](const std::string& text) { (void)parse_survey_points(text, file_name); }},
-        Table{"Pts", "2\n1 2 3\n4 5 66\n",
-              [](const std::string& text) { (void)parse_pts_points(text, file_name); }},
-        Table{"ForeignTable", "Name;X;Y;Z\nA;1;2;3\nB;1;2;33\n",
-              [](const std::string& text) { (void)read_foreign_survey(text, file_name); }},
-        Table{"Xyz", "1.25 2 3\n1 2 33\n",
-              [](const std::string& text) {
-                  (void)read_foreign_survey(text, file_name, {.format = SurveyFormat::xyz});
-              }},
-        Table{"Polar", "station,target,hz [gon],v [gon],distance [m]\nS,A,1,99,2.5\nS,B,1,99,2.5\n",
-              [](const std::string& text) { (void)parse_polar_csv(text, file_name, {}); }},
-        Table{"Forces", "edge,tension\naB,1000\nab,20000\n",
-              [](const std::string& text) {
-                  (void)parse_force_measurements(test::two_node_net(), text, file_name, {});
-              }},
-        Table{"Targets", "12\n345\n",
-              [](const std::string& text) { (void)parse_target_list(text, file_name); }},
-        Table{"CsvNet", "id,x,y,z,is_free\n0,0,0,0,0\n1,1,0,0,1\n2,2,0,0,0\n",
-              [](const std::string& text) {
-                  (void)parse_net_csv({.nodes = text, .edges = "s,t,q\n0,1,5\n1,2,5\n"}, file_name,
-                                      "edges.csv");
-              }},
-        Table{"Obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nl 1 2\nl 2 3\n",
-              [](const std::string& text) { (void)parse_obj(text, file_name); }},
-        Table{"ObjSurface", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 2 0 11\n",
-              [](const std::string& text) { (void)parse_surface_mesh(text, file_name); }},
-        Table{"PlySurface",
-              "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
-              "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
-              "end_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 12.5\n",
-              [](const std::string& text) { (void)parse_surface_mesh(text, file_name); }}),
-    [](const auto& param) { return std::string(param.param.name); });
 
 TEST(CutTable, IsNotSeenInASingleLineNorInBlanksBehindTheLast) {
     EXPECT_EQ(parse_survey_points("A,1,2,3", file_name).size(), 1U);

@@ -45,12 +45,8 @@ protected:
     void expect_refused(const Change& change, const std::string& what) const {
         DataSet data = m_data;
         change(data);
-        try {
-            write_data_set(m_path, data, m_net);
-            ADD_FAILURE() << "expected std::invalid_argument";
-        } catch (const std::invalid_argument& error) {
-            EXPECT_THAT(error.what(), HasSubstr(what));
-        }
+        EXPECT_THAT([&] { write_data_set(m_path, data, m_net); },
+                    testing::ThrowsMessage<std::invalid_argument>(HasSubstr(what)));
         EXPECT_FALSE(std::filesystem::exists(m_path));
     }
 };

@@ -55,12 +55,8 @@ protected:
     }
 
     void expect_refused(const LengthModel& model, const std::string& what) const {
-        try {
-            write_model(m_path, model, m_net);
-            ADD_FAILURE() << "expected std::invalid_argument";
-        } catch (const std::invalid_argument& error) {
-            EXPECT_THAT(error.what(), HasSubstr(what));
-        }
+        EXPECT_THAT([&] { write_model(m_path, model, m_net); },
+                    testing::ThrowsMessage<std::invalid_argument>(HasSubstr(what)));
         EXPECT_FALSE(std::filesystem::exists(m_path));
     }
 };

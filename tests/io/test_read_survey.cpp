@@ -58,6 +58,14 @@ protected:
         return text;
     }
 
+    /// A table of the nominal nodes.
+    /// @param format of node, x, y, z
+    std::string formatted(const std::string& header, const char* format) const {
+        return table(header, [format](int node, double x, double y, double z) {
+            return fmt::format(fmt::runtime(format), node, x, y, z);
+        });
+    }
+
     /// Largest distance of a surveyed node from where the net has it [m].
     double distance(const Survey& survey) const {
         return (survey.form - m_net.nodes()).colwise().norm().maxCoeff();
@@ -126,11 +134,7 @@ TEST_F(ReadSurvey, TakesTheDigitsOfAFileForItsNoiseUnlessItIsTheNominalForm) {
     EXPECT_THAT(rounded.notes, ElementsAre(HasSubstr("rounded to 0.1mm")));
     EXPECT_TRUE(read(text(0.0012), "a.csv", {.noise_std = 0.0}).is_exact());
     EXPECT_TRUE(read_survey(m_net, m_scratch / "a.csv", {.noise_std = 1e-3}).notes.empty());
-    const Survey nominal =
-        read(table("", [](int node, double x, double y,
-                          double z) { return fmt::format("{},{},{},{}", node, x, y, z); }),
-             "a.csv");
-    EXPECT_TRUE(nominal.is_exact());
+    EXPECT_TRUE(read(formatted("", "{},{},{},{}"), "a.csv").is_exact());
     // Steps of 10 mm in edges of 0.1 m are no rounding of an instrument.
     EXPECT_TRUE(read(table("",
                            [](int node, double x, double y, double z) {
@@ -195,11 +199,8 @@ TEST_F(ReadSurvey, ReportsErrorsOfItsOwnFormatInItsOwnWords) {
 
 TEST_F(ReadSurvey, LeavesNothingThatItsOwnReaderRefusedToThatOfForeignTables) {
     const std::string header = "id,x,y,z\n";
-    const auto nominal = [](int node, double x, double y, double z) {
-        return fmt::format("{},{},{},{}", node, x, y, z);
-    };
     for (const char* const row : {"no coordinates here\n", "7,1,,\n", "7,,,\n", "7\n"}) {
-        EXPECT_THAT(refusal(table(header, nominal) + row, "a.csv"),
+        EXPECT_THAT(refusal(formatted(header, "{},{},{},{}") + row, "a.csv"),
                     HasSubstr(fmt::format("a.csv:{}: ", 2 + m_net.node_count())))
             << row;
     }
@@ -277,9 +278,7 @@ TEST_F(IncompleteStd, TakesTheNoiseThatIsGivenAndSaysWhere) {
 }
 
 TEST_F(IncompleteStd, OfNoPointLeavesTheNoiseUnusedAndSaysSo) {
-    const std::string own = table("", [](int node, double x, double y, double z) {
-        return fmt::format("{},{:.6f},{:.6f},{:.6f},0.0005,0.0005,0.0005", node, x, y, z);
-    });
+    const std::string own = formatted("", "{},{:.6f},{:.6f},{:.6f},0.0005,0.0005,0.0005");
     const auto warnings = [&](double noise_std) {
         return read(own, "a.csv", {.noise_std = noise_std}).warnings;
     };
