@@ -11,7 +11,6 @@
 
 #include <cmath>
 
-#include "support/bad_input.hpp"
 #include "support/errors.hpp"
 #include "support/scratch.hpp"
 #include "taut/design/builtin_nets.hpp"

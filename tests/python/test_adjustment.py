@@ -119,7 +119,7 @@ def job(net, columns, tmp_path_factory):
     grouped = taut.CableNet.load(folder / "net.json")
     wet = np.zeros_like(net.nodes)
     wet[net.free_nodes, 2] = -50.0
-    for name, columns_of in (("wet.csv", wet), ("form.csv", net.nodes)):
+    for name, columns_of in (("wet.csv", wet), ("form.csv", net.nodes - 2e-5 * wet)):
         lines = [
             f"{net.node_id(node)},{x},{y},{z}" for node, (x, y, z) in enumerate(columns_of.tolist())
         ]
@@ -163,8 +163,8 @@ def job(net, columns, tmp_path_factory):
 
 JOBS = {
     "strokes": (
-        ["--stroke", "12mm", "--total-stroke", "9mm", "--turn", "4mm", "--step", "1/4"],
-        lambda job: {"stroke": 0.012, "total_stroke": 0.009, "turn": 0.004, "step": 0.25},
+        ["--stroke", "2mm", "--total-stroke", "2mm", "--turn", "4mm", "--step", "1/16"],
+        lambda job: {"stroke": 0.002, "total_stroke": 0.002, "turn": 0.004, "step": 0.0625},
     ),
     "strokes by edge": (
         ["--stroke", "strokes.csv"],
@@ -181,10 +181,14 @@ JOBS = {
         lambda job: {"tension_part": (None, 0.6)},
     ),
     "reactions and later loads": (
-        ["--reaction", "50kN", "--reaction", "40kN@ridge", "--check", "wet.csv"],
+        [
+            *("--reaction", "5kN", "--reaction", "4kN@ridge", "--check", "wet.csv"),
+            *("--tension", "..7.1kN"),
+        ],
         lambda job: {
-            "reaction": {None: 50e3, "ridge": 40e3},
+            "reaction": {None: 5e3, "ridge": 4e3},
             "load_cases": {"wet.csv": job["wet"]},
+            "tension": (None, 7.1e3),
         },
     ),
     "surface": (
@@ -200,8 +204,14 @@ JOBS = {
         lambda job: {"target": str(job["folder"] / "form.csv"), "weights": job["weights"]},
     ),
     "target tensions": (
-        ["--target-tension", "3kN:10%@ridge", "--target-tension", "forces.csv"],
-        lambda job: {"target_tension": {"ridge": (3e3, 300.0), **job["forces"]}},
+        [
+            *("--target-tension", "3kN:10%@ridge", "--target-tension", "forces.csv"),
+            *("--form-tolerance", "2mm"),
+        ],
+        lambda job: {
+            "target_tension": {"ridge": (3e3, 300.0), **job["forces"]},
+            "form_tolerance": 0.002,
+        },
     ),
     "target tensions alone": (
         ["--target-tension", "2kN", "--weights", "normal:0,tangential:0", "--objective", "largest"],
@@ -216,6 +226,19 @@ JOBS = {
         lambda job: {"suggest_adjustable": 2, "suggest_targets": 0.5e-3, "crews": 2},
     ),
 }
+
+
+@pytest.mark.parametrize("name", JOBS)
+def test_each_setting_of_a_job_changes_its_plan(job, name):
+    # So that the program and Python cannot agree in leaving one out.
+    settings = {"stroke": 0.015, **JOBS[name][1](job)}
+    plan = taut.plan(job["found"], **settings).to_dict()
+    for left_out in JOBS[name][1](job):
+        less = {key: value for key, value in settings.items() if key != left_out}
+        try:
+            assert taut.plan(job["found"], **less).to_dict() != plan, left_out
+        except ValueError:
+            continue  # what is given needs it
 
 
 @pytest.mark.parametrize("name", JOBS)
