@@ -89,7 +89,8 @@ double detectable_error(const std::vector<TestedItem>& items, double threshold,
             largest = std::max(largest, rates.back());
         }
     }
-    if (!(largest > 0.0) || !std::isfinite(threshold)) {
+    // Not finite: rounding left nothing of a variance, and the test says nothing.
+    if (!(largest > 0.0) || !std::isfinite(largest) || !std::isfinite(threshold)) {
         return std::numeric_limits<double>::infinity();
     }
     const auto power = [&](double error) {

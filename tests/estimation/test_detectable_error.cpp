@@ -7,6 +7,7 @@
 
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
+#include <limits>
 
 #include "estimation/detectable_error.hpp"
 
@@ -44,6 +45,13 @@ TEST(DetectableError, IsOfARandomPlace) {
     EXPECT_NEAR(power, detection_power, 1e-4);
     EXPECT_TRUE(std::isinf(detectable_error({seen, hidden}, 11.0, 1)));
     EXPECT_TRUE(std::isinf(detectable_error(std::vector<TestedItem>{}, 11.0, 1)));
+}
+
+TEST(DetectableError, IsNoneWhereRoundingLeavesNoVariance) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const std::vector<TestedItem> items{{Eigen::MatrixXd::Constant(1, 1, infinite)},
+                                        {Eigen::MatrixXd::Constant(1, 1, 1e6)}};
+    EXPECT_EQ(detectable_error(items, 10.0, 1), infinite);
 }
 
 TEST(DetectableError, OfAnEstimateIsOutsideItsBound) {
