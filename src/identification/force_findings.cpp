@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "identification/parameter_estimates.hpp"
+#include "net/rounded_length.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut {
