@@ -25,6 +25,14 @@ Observations satisfied(const StaticsModel& model, const Observations& observatio
     return result;
 }
 
+Eigen::VectorXd standard_normals(Eigen::Index count, RandomNumbers& random) {
+    Eigen::VectorXd result(count);
+    for (double& one : result) {
+        one = random.normal();
+    }
+    return result;
+}
+
 Observations perturbed(const CableNet& net, const Observations& observations,
                        const Eigen::VectorXd& blur, RandomNumbers& random) {
     Observations result = observations;
@@ -70,10 +78,7 @@ Observations perturbed(const CableNet& net, const Observations& observations,
         }
     }
     if (observations.evidence) {
-        Eigen::VectorXd error(observations.evidence->root.cols());
-        for (double& of_one : error) {
-            of_one = random.normal();
-        }
+        const Eigen::VectorXd error = standard_normals(observations.evidence->root.cols(), random);
         result.evidence_pull += observations.evidence->root * error;
     }
     return result;
@@ -82,10 +87,7 @@ Observations perturbed(const CableNet& net, const Observations& observations,
 Observations with_drawn_mean(const Observations& observations, RandomNumbers& random) {
     Observations result = observations;
     if (result.mean_root.size() > 0) {
-        Eigen::VectorXd error(result.shown_root.cols());
-        for (double& of_one : error) {
-            of_one = random.normal();
-        }
+        const Eigen::VectorXd error = standard_normals(result.shown_root.cols(), random);
         result.mean += result.mean_root * (result.shown_mean + result.shown_root * error);
         result.mean_root.resize(0, 0);
     }
@@ -100,10 +102,7 @@ Observations with_mean_given(const Observations& observations, const Eigen::Vect
         const Eigen::MatrixXd pulls = variances.cwiseInverse().asDiagonal() * root;
         const Eigen::LLT<Eigen::MatrixXd> precision(
             Eigen::MatrixXd::Identity(root.cols(), root.cols()) + root.transpose() * pulls);
-        Eigen::VectorXd error(root.cols());
-        for (double& of_one : error) {
-            of_one = random.normal();
-        }
+        const Eigen::VectorXd error = standard_normals(root.cols(), random);
         result.mean +=
             root * (precision.solve(pulls.transpose() * (deviations - observations.mean)) +
                     precision.matrixU().solve(error));

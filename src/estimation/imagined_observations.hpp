@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include "estimation/observations.hpp"
 #include "estimation/statics_model.hpp"
 #include "numerics/random_numbers.hpp"
@@ -11,6 +13,9 @@ namespace taut {
 /// Observations and priors that agree with an iterate: a step from there only restores balance.
 [[nodiscard]] Observations satisfied(const StaticsModel& model, const Observations& observations,
                                      const Iterate& iterate);
+
+/// Independent numbers of the standard normal distribution.
+[[nodiscard]] Eigen::VectorXd standard_normals(Eigen::Index count, RandomNumbers& random);
 
 /// (perturbed): observations and priors with new errors.
 /// @param blur variances of the additional length deviations, (blurred-law), (own-stiffness) (m_I)
