@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "identification/epoch_chain.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <memory>
 #include <utility>
 
-#include "estimation/hypotheses.hpp"
+#include "identification/epoch_net.hpp"
 #include "identification/parameter_estimates.hpp"
-#include "net/weight_as_load.hpp"
-#include "taut/numerical_error.hpp"
-#include "taut/statics/equilibrium.hpp"
 
 namespace taut {
 namespace {
@@ -37,75 +30,21 @@ double largest_actuator_std(std::span<const Epoch> epochs) {
     return actuator_std;
 }
 
-/// Whether chance explains all but a change along one direction of this statistic.
-bool is_chance_but_for(Agreement all, double statistic) {
-    all.squares = std::max(0.0, all.squares - statistic * statistic);
-    --all.rank;
-    return all.ratio() <= all.limit();
-}
-
 }  // namespace
-
-bool are_too_many_changes(const CableNet& net, size_t changes) {
-    constexpr double most = 0.1;  // of all edges
-    constexpr double a_few = 3.0;
-    return static_cast<double>(changes) > std::max(a_few, most * net.edge_count());
-}
-
-double widest_turn(const CableNet& net) {
-    constexpr double wide = 0.05;  // [m]
-    constexpr double most = 0.25;  // of the shortest edge: no more may be uncertain
-    const Eigen::VectorXd lengths = net.unstressed_lengths()(net.adjustable_edges());
-    if (lengths.size() == 0) {
-        return 0.0;
-    }
-    const double width = std::min(wide, most * lengths.minCoeff());
-    const double digit = std::pow(10.0, std::floor(std::log10(width)));
-    return digit * std::floor(width / digit);  // as one would give it
-}
-
-std::vector<EdgeTurned> turned_until(std::span<const Epoch> epochs, size_t k) {
-    std::vector<std::vector<EdgeTurned>> steps;
-    for (const Epoch& epoch : epochs.first(k + 1)) {
-        steps.push_back(epoch.turned);
-    }
-    return all_turned(steps);
-}
-
-CableNet net_at_survey(const CableNet& net, std::span<const Epoch> epochs, size_t k) {
-    const std::vector<EdgeTurned> turned = turned_until(epochs, k);
-    if (turned.empty() && !epochs[k].is_loaded()) {
-        return net;
-    }
-    CableNetData data =
-        with_lengths_of_same_weight(net, turned_net(net, turned).unstressed_lengths());
-    if (epochs[k].is_loaded()) {
-        data.loads = data.loads.cols() > 0 ? Points(data.loads + epochs[k].loads) : epochs[k].loads;
-    }
-    const Equilibrium equilibrium = solve_equilibrium(CableNet(CableNetData(data)));
-    if (!equilibrium.balanced()) {
-        throw NumericalError(
-            fmt::format("the net finds no equilibrium after the turns of {} edges{}", turned.size(),
-                        epochs[k].is_loaded() ? " and under the loads hung on it" : ""));
-    }
-    data.nodes = equilibrium.form;
-    return CableNet(std::move(data));
-}
 
 EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
                        const IdentifyOptions& options, const LengthPrior& prior,
-                       double least_actuator_std, const std::vector<Changes>& changes)
+                       double least_actuator_std, const std::vector<EpochChanges>& changes)
     : m_net(net),
       m_options(options),
       m_prior(prior),
       m_widest_turn(widest_turn(net)),
       m_uncertain(options.uncertain),
-      m_common(static_cast<int>(std::ranges::count_if(options.uncertain, is_common))),
       m_reported(static_cast<int>(reported_epoch(epochs))),
       m_changes(epochs.size()) {
     const bool is_given = std_of(m_uncertain, UncertainParameter::Kind::adjustable) > 0.0;
     double actuator_std = std::max(least_actuator_std, largest_actuator_std(epochs));
-    for (const Changes& of_survey : changes) {
+    for (const EpochChanges& of_survey : changes) {
         actuator_std = std::max(actuator_std, of_survey.excess_actuator_std);
         for (const LengthChange& change : of_survey.lengths) {
             actuator_std =
@@ -118,7 +57,8 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
             {.kind = UncertainParameter::Kind::adjustable, .std = actuator_std, .group = {}});
     }
     m_has_actuator_std = is_given || actuator_std > 0.0;
-    m_edges = net_to_fit(net, m_uncertain).interior_edges();
+    m_entries = {.edges = net_to_fit(net, m_uncertain).interior_edges(),
+                 .common = static_cast<int>(std::ranges::count_if(options.uncertain, is_common))};
     Eigen::VectorXd stds = adjustable_stds(net, options.uncertain);
     for (size_t k = 0; k < epochs.size(); ++k) {
         m_states.push_back({.net = net_at_survey(net, epochs, k),
@@ -126,10 +66,10 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
                             .turned = &epochs[k].turned,
                             .loads = &epochs[k].loads,
                             .prior = first_prior(stds),
-                            .added = Eigen::VectorXd::Zero(size()),
-                            .earlier = no_evidence(size()),
-                            .later = no_evidence(size()),
-                            .own = no_evidence(size()),
+                            .added = Eigen::VectorXd::Zero(m_entries.size()),
+                            .earlier = no_evidence(m_entries.size()),
+                            .later = no_evidence(m_entries.size()),
+                            .own = no_evidence(m_entries.size()),
                             .found = {}});
     }
     for (size_t k = 0; k < m_states.size() && m_has_actuator_std; ++k) {
@@ -140,21 +80,18 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
             add_variance(k, one.edge, one.std);
         }
     }
-    let_go(changes);
+    allow(changes);
 }
 
 bool EpochChain::is_adjustable(int edge) const {
     return std::ranges::binary_search(m_net.adjustable_edges(), edge);
 }
 
-Eigen::Index EpochChain::place_of(int edge) const {
-    return std::ranges::lower_bound(m_edges, edge) - m_edges.begin();
-}
-
 Eigen::VectorXd EpochChain::first_prior(const Eigen::VectorXd& stds) const {
-    Eigen::VectorXd variances = Eigen::VectorXd::Ones(size());
-    for (size_t i = 0; i < m_edges.size(); ++i) {
-        const double std = is_adjustable(m_edges[i]) ? stds(m_edges[i]) : m_prior.std();
+    Eigen::VectorXd variances = Eigen::VectorXd::Ones(m_entries.size());
+    for (size_t i = 0; i < m_entries.edges.size(); ++i) {
+        const double std =
+            is_adjustable(m_entries.edges[i]) ? stds(m_entries.edges[i]) : m_prior.std();
         variances(static_cast<Eigen::Index>(i)) = std * std;
     }
     return variances;
@@ -162,7 +99,7 @@ Eigen::VectorXd EpochChain::first_prior(const Eigen::VectorXd& stds) const {
 
 /// From a survey on, adds to the variance of a length.
 void EpochChain::add_variance(size_t k, int edge, double std) {
-    const Eigen::Index place = place_of(edge);
+    const Eigen::Index place = m_entries.place_of(edge);
     m_states[k].added(place) += std * std;
     for (size_t j = k; j < m_states.size(); ++j) {
         m_states[j].prior(place) += std * std;
@@ -170,11 +107,11 @@ void EpochChain::add_variance(size_t k, int edge, double std) {
 }
 
 EpochStep EpochChain::step_from(size_t k) const {
-    EpochStep step{.factor = Eigen::VectorXd::Ones(size()),
+    EpochStep step{.factor = Eigen::VectorXd::Ones(m_entries.size()),
                    .added = m_states[k + 1].added,
                    .prior_from = m_states[k].prior,
                    .prior_to = m_states[k + 1].prior};
-    auto place = static_cast<Eigen::Index>(m_edges.size());
+    auto place = static_cast<Eigen::Index>(m_entries.edges.size());
     for (const UncertainParameter& parameter : m_uncertain) {
         if (parameter.kind == UncertainParameter::Kind::temperature) {  // another day
             step.factor(place) = 0.0;
@@ -189,7 +126,7 @@ EpochStep EpochChain::step_from(size_t k) const {
     return step;
 }
 
-void EpochChain::let_go(const std::vector<Changes>& changes) {
+void EpochChain::allow(const std::vector<EpochChanges>& changes) {
     for (size_t k = 0; k < changes.size(); ++k) {
         for (const LengthChange& change : changes[k].lengths) {
             // As wide as it may be given, so that what is written can be read.
@@ -197,9 +134,10 @@ void EpochChain::let_go(const std::vector<Changes>& changes) {
                          is_adjustable(change.edge) ? std::min(width_of(change), m_widest_turn)
                                                     : width_of(change));
         }
-        for (const int edge :
-             changes[k].excess_actuator_std > 0.0 ? turned_edges(k) : std::vector<int>()) {
-            add_variance(k, edge, changes[k].excess_actuator_std);
+        if (changes[k].excess_actuator_std > 0.0) {
+            for (const int edge : scattering_edges(k)) {
+                add_variance(k, edge, changes[k].excess_actuator_std);
+            }
         }
     }
 }
@@ -222,15 +160,15 @@ Given EpochChain::given(int k) const {
     }
     constexpr double a_little_more = 1.0 + 1e-6;
     result.own_stds = Eigen::VectorXd::Zero(m_net.edge_count());
-    for (size_t i = 0; i < m_edges.size(); ++i) {
+    for (size_t i = 0; i < m_entries.edges.size(); ++i) {
         const double std = std::sqrt(state.prior(static_cast<Eigen::Index>(i)));
-        if (is_adjustable(m_edges[i]) || std > a_little_more * m_prior.std()) {
-            result.own_stds(m_edges[i]) = std;
+        if (is_adjustable(m_entries.edges[i]) || std > a_little_more * m_prior.std()) {
+            result.own_stds(m_entries.edges[i]) = std;
         }
     }
     if (state.earlier.root.cols() + state.later.root.cols() > 0) {
         LengthEvidence others = sum_of(state.earlier, state.later);
-        others.root.resize(size(), state.earlier.root.cols() + state.later.root.cols());
+        others.root.resize(m_entries.size(), state.earlier.root.cols() + state.later.root.cols());
         others.root << state.earlier.root, state.later.root;
         result.evidence = std::make_shared<LengthEvidence>(std::move(others));
     }
@@ -242,7 +180,7 @@ void EpochChain::fit(size_t k, const Given& given, const Progress& progress) {
         throw Interrupted();
     }
     State& state = m_states[k];
-    IdentifiedEpoch epoch = identify_one_epoch(state.net, *state.survey, given, m_common);
+    IdentifiedEpoch epoch = identify_one_epoch(state.net, *state.survey, given, m_entries.common);
     state.found = std::move(epoch.identification);
     const auto is_creep = [](const ParameterEstimate& one) {
         return one.parameter.kind == UncertainParameter::Kind::creep;
@@ -262,25 +200,6 @@ bool EpochChain::has_converged() const {
     });
 }
 
-/// (epoch-change)
-std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes& changes,
-                                                     const std::vector<int>& edges) const {
-    const auto worst = std::ranges::max_element(
-        edges, {}, [&](int edge) { return changes.statistic(place_of(edge)); });
-    if (worst == edges.end()) {
-        return std::nullopt;
-    }
-    const Eigen::Index place = place_of(*worst);
-    const double statistic = changes.statistic(place);
-    if (statistic * statistic <= snooping_threshold(default_false_alarm_rate, edges.size(), 1)) {
-        return std::nullopt;
-    }
-    return LengthChange{.edge = *worst,
-                        .change = changes.change(place),
-                        .std = changes.std(place),
-                        .statistic = statistic};
-}
-
 /// With adjustable lengths uncertain, so that a wrong turn rejects no target, and without measured
 /// forces, so that a wrong one is no change of lengths.
 Given EpochChain::given_for_form_alone(int k) const {
@@ -292,13 +211,22 @@ Given EpochChain::given_for_form_alone(int k) const {
     return result;
 }
 
-std::vector<int> EpochChain::turned_edges(size_t k) const {
+std::vector<int> EpochChain::scattering_edges(size_t k) const {
+    if (!m_has_actuator_std) {
+        return {};
+    }
     std::vector<int> edges;
     edges.reserve(m_states[k].turned->size());
     for (const EdgeTurned& one : *m_states[k].turned) {
         edges.push_back(one.edge);
     }
     return edges.empty() ? m_net.adjustable_edges() : edges;
+}
+
+void EpochChain::free_lengths(size_t k, const std::vector<LengthChange>& changed) {
+    for (const LengthChange& change : changed) {
+        add_variance(k, change.edge, width_of(change));
+    }
 }
 
 bool EpochChain::find_changes(const Progress& progress) {
@@ -308,129 +236,25 @@ bool EpochChain::find_changes(const Progress& progress) {
     if (!has_converged()) {
         return false;
     }
-    find_changes_at(0, EvidenceTest(m_states[0].prior, no_evidence(size()), m_states[0].own),
-                    m_has_actuator_std ? m_net.adjustable_edges() : std::vector<int>());
+    EvidenceTest first(m_states[0].prior, no_evidence(m_entries.size()), m_states[0].own);
+    m_changes[0].lengths =
+        let_go_changed(first, m_net, m_entries,
+                       m_has_actuator_std ? m_net.adjustable_edges() : std::vector<int>());
+    free_lengths(0, m_changes[0].lengths);
     for (size_t k = 1; k < m_states.size(); ++k) {
-        State& before = m_states[k - 1];
+        const State& before = m_states[k - 1];
         State& state = m_states[k];
         progress("comparing surveys", static_cast<int>(k), count());
-        state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
-        find_changes_at(k, EvidenceTest(state.prior, state.earlier, state.own), m_edges);
+        const LengthEvidence until_before = sum_of(before.earlier, before.own);
+        ComparedEpoch found = compared_epoch(
+            EvidenceTest(state.prior, carried(until_before, step_from(k - 1)), state.own), m_net,
+            m_entries, *state.turned, scattering_edges(k));
+        free_lengths(k, found.let_go);
+        m_changes[k] = std::move(found.changes);
         // A change that was let go is not evidence for later surveys.
-        state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
+        state.earlier = carried(until_before, step_from(k - 1));
     }
     return true;
-}
-
-void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges) {
-    Changes& changes = m_changes[k];
-    std::optional<LengthChange> worst = worst_change(test.changes(), edges);
-    Changes all_at_once;
-    if (k > 0) {
-        all_at_once.agreement = test.agreement();
-        all_at_once.common_strain = common_strain(test, {});
-    }
-    if (k > 0 && m_states[k].turned->size() > 1) {
-        set_stroke_factor(all_at_once, test, *m_states[k].turned);
-    }
-    while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
-        changes.lengths.push_back(*worst);
-        add_variance(k, worst->edge, width_of(*worst));
-        test.let_go(place_of(worst->edge));
-        worst = worst_change(test.changes(), edges);
-    }
-    if (k == 0) {
-        return;
-    }
-    if (explains_changes(all_at_once, changes.lengths, *m_states[k].turned)) {
-        changes = all_at_once;
-        changes.common_strain.reset();
-        changes.is_of_all_turns = true;
-        return;
-    }
-    if (all_at_once.common_strain && !all_at_once.are_strokes_off() &&
-        is_chance_but_for(all_at_once.agreement, all_at_once.common_strain->statistic())) {
-        changes = all_at_once;
-        return;
-    }
-    changes.agreement = test.agreement();
-    set_stroke_factor(changes, test, *m_states[k].turned);
-    if (!changes.are_strokes_off()) {
-        changes.common_strain = common_strain(test, changes.lengths);
-    }
-    if (changes.common_strain) {
-        return;
-    }
-    std::vector<Eigen::Index> places;
-    for (const int edge : m_has_actuator_std ? turned_edges(k) : std::vector<int>()) {
-        if (std::ranges::find(changes.lengths, edge, &LengthChange::edge) ==
-            changes.lengths.end()) {
-            places.push_back(place_of(edge));
-        }
-    }
-    const Agreement of_turns = test.agreement(places);
-    if (of_turns.ratio() > of_turns.limit()) {
-        changes.excess_actuator_std = test.spread(places);
-    }
-}
-
-/// Whether a wrong sign, unit or pitch of all turns explains what was let go: most of the turns,
-/// with all else as chance has it.
-bool EpochChain::explains_changes(const Changes& all_at_once,
-                                  const std::vector<LengthChange>& let_go,
-                                  const std::vector<EdgeTurned>& turned) const {
-    const auto of_turns = std::ranges::count_if(let_go, [&](const LengthChange& change) {
-        return std::ranges::find(turned, change.edge, &EdgeTurned::edge) != turned.end();
-    });
-    return all_at_once.are_strokes_off() && of_turns >= 2 &&
-           3 * of_turns >= 2 * std::ssize(turned) &&
-           is_chance_but_for(all_at_once.agreement, all_at_once.stroke_factor_statistic());
-}
-
-/// (creep) that was not given: the most significant strain of all interior edges, or of a group.
-std::optional<EpochChain::Changes::CommonStrain> EpochChain::common_strain(
-    const EvidenceTest& test, const std::vector<LengthChange>& let_go) const {
-    const std::vector<int>& interior = m_net.interior_edges();
-    std::vector<std::pair<std::string, std::vector<int>>> groups{{"", interior}};
-    for (const auto& [name, edges] : m_net.data().groups) {
-        groups.emplace_back(name, std::vector<int>());
-        std::ranges::copy_if(edges, std::back_inserter(groups.back().second),
-                             [&](int edge) { return std::ranges::binary_search(interior, edge); });
-    }
-    std::optional<Changes::CommonStrain> found;
-    double least = snooping_threshold(default_false_alarm_rate, groups.size(), 1);
-    for (const auto& [name, edges] : groups) {
-        Eigen::VectorXd lengths = Eigen::VectorXd::Zero(size());
-        for (const int edge : edges) {
-            lengths(place_of(edge)) = m_net.unstressed_lengths()(edge);
-        }
-        for (const LengthChange& change : let_go) {
-            lengths(place_of(change.edge)) = 0.0;
-        }
-        const auto [strain, std] = test.change_along(lengths);
-        if (std::pow(strain / std, 2) > least) {
-            least = std::pow(strain / std, 2);
-            found = {.group = name, .strain = strain, .std = std};
-        }
-    }
-    return found;
-}
-
-/// Reports the factor by which all strokes are off, as with a wrong pitch.
-void EpochChain::set_stroke_factor(Changes& changes, const EvidenceTest& test,
-                                   const std::vector<EdgeTurned>& turned) const {
-    Eigen::VectorXd strokes = Eigen::VectorXd::Zero(size());
-    for (const EdgeTurned& one : turned) {
-        const auto has_changed = std::ranges::find(changes.lengths, one.edge, &LengthChange::edge);
-        if (has_changed == changes.lengths.end()) {
-            strokes(place_of(one.edge)) = one.stroke;
-        }
-    }
-    const auto [more, std] = test.change_along(strokes);
-    if (std::isfinite(std)) {
-        changes.stroke_factor = 1.0 + more;
-        changes.stroke_factor_std = std;
-    }
 }
 
 Eigen::VectorXd EpochChain::last_lengths() const {
@@ -483,40 +307,6 @@ std::optional<double> EpochChain::converge(const Progress& progress) {
     }
     progress("identification", most_sweeps, most_sweeps);
     return movement;
-}
-
-/// (epoch-repeat)
-double EpochChain::difference_ratio(size_t a, size_t b) const {
-    constexpr int few = 8;
-    const auto errors_of = [&](size_t k, int node) -> Eigen::Vector3d {
-        return m_states[k].survey->form.col(node) - m_states[k].found.predicted.form.col(node);
-    };
-    const auto is_in_use = [&](size_t k, int node) {
-        return std::ranges::find(m_states[k].found.outliers, node, &Outlier::node) ==
-               m_states[k].found.outliers.end();
-    };
-    std::vector<int> both;
-    std::ranges::set_intersection(m_states[a].survey->surveyed, m_states[b].survey->surveyed,
-                                  std::back_inserter(both));
-    std::erase_if(both, [&](int node) { return !is_in_use(a, node) || !is_in_use(b, node); });
-    if (std::ssize(both) < few) {
-        return 0.0;
-    }
-    double of_difference = 0.0;
-    double of_both = 0.0;
-    for (const int node : both) {
-        const Eigen::Array3d variances = m_states[a].survey->noise_std.col(node).array().square() +
-                                         m_states[b].survey->noise_std.col(node).array().square();
-        const Eigen::Array3d first = errors_of(a, node);
-        const Eigen::Array3d second = errors_of(b, node);
-        for (int axis = 0; axis < 3; ++axis) {
-            if (variances(axis) > 0.0) {
-                of_difference += std::pow(first(axis) - second(axis), 2) / variances(axis);
-                of_both += (std::pow(first(axis), 2) + std::pow(second(axis), 2)) / variances(axis);
-            }
-        }
-    }
-    return of_both > 0.0 ? std::sqrt(of_difference / of_both) : 0.0;
 }
 
 }  // namespace taut

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/epoch_changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "estimation/hypotheses.hpp"
+#include "taut/estimation/diagnostics.hpp"
+
+namespace taut {
+namespace {
+
+/// By how many of its standard deviations the factor on all strokes is not 1.
+double stroke_factor_statistic(const EpochChanges& changes) {
+    return changes.stroke_factor_std > 0.0
+               ? std::abs(changes.stroke_factor - 1.0) / changes.stroke_factor_std
+               : 0.0;
+}
+
+/// Whether chance explains all but a change along one direction of this statistic.
+bool is_chance_but_for(Agreement all, double statistic) {
+    all.squares = std::max(0.0, all.squares - statistic * statistic);
+    --all.rank;
+    return all.ratio() <= all.limit();
+}
+
+bool is_among(const std::vector<LengthChange>& changes, int edge) {
+    return std::ranges::find(changes, edge, &LengthChange::edge) != changes.end();
+}
+
+/// (epoch-change)
+std::optional<LengthChange> worst_change(const EvidenceTest::Changes& changes,
+                                         const EpochEntries& entries,
+                                         const std::vector<int>& edges) {
+    const auto worst = std::ranges::max_element(
+        edges, {}, [&](int edge) { return changes.statistic(entries.place_of(edge)); });
+    if (worst == edges.end()) {
+        return std::nullopt;
+    }
+    const Eigen::Index place = entries.place_of(*worst);
+    const double statistic = changes.statistic(place);
+    if (statistic * statistic <= snooping_threshold(default_false_alarm_rate, edges.size(), 1)) {
+        return std::nullopt;
+    }
+    return LengthChange{.edge = *worst,
+                        .change = changes.change(place),
+                        .std = changes.std(place),
+                        .statistic = statistic};
+}
+
+/// Whether a wrong sign, unit or pitch of all turns explains what was let go: most of the turns,
+/// with all else as chance has it.
+bool are_explained_by_strokes(const std::vector<LengthChange>& let_go,
+                              const EpochChanges& all_at_once,
+                              const std::vector<EdgeTurned>& turned) {
+    const auto of_turns = std::ranges::count_if(let_go, [&](const LengthChange& change) {
+        return std::ranges::find(turned, change.edge, &EdgeTurned::edge) != turned.end();
+    });
+    return all_at_once.are_strokes_off() && of_turns >= 2 &&
+           3 * of_turns >= 2 * std::ssize(turned) &&
+           is_chance_but_for(all_at_once.agreement, stroke_factor_statistic(all_at_once));
+}
+
+/// Whether a strain in common explains all.
+bool is_explained_by_strain(const EpochChanges& all_at_once) {
+    const std::optional<EpochChanges::CommonStrain>& strain = all_at_once.common_strain;
+    return strain && !all_at_once.are_strokes_off() &&
+           is_chance_but_for(all_at_once.agreement, strain->strain / strain->std);
+}
+
+/// (creep) that was not given: the most significant strain of all interior edges, or of a group,
+/// but for lengths let go.
+std::optional<EpochChanges::CommonStrain> common_strain(const EvidenceTest& test,
+                                                        const CableNet& net,
+                                                        const EpochEntries& entries,
+                                                        const std::vector<LengthChange>& let_go) {
+    const std::vector<int>& interior = net.interior_edges();
+    std::vector<std::pair<std::string, std::vector<int>>> groups{{"", interior}};
+    for (const auto& [name, edges] : net.data().groups) {
+        groups.emplace_back(name, std::vector<int>());
+        std::ranges::copy_if(edges, std::back_inserter(groups.back().second),
+                             [&](int edge) { return std::ranges::binary_search(interior, edge); });
+    }
+    std::optional<EpochChanges::CommonStrain> found;
+    double least = snooping_threshold(default_false_alarm_rate, groups.size(), 1);
+    for (const auto& [name, edges] : groups) {
+        Eigen::VectorXd lengths = Eigen::VectorXd::Zero(entries.size());
+        for (const int edge : edges) {
+            if (!is_among(let_go, edge)) {
+                lengths(entries.place_of(edge)) = net.unstressed_lengths()(edge);
+            }
+        }
+        const auto [strain, std] = test.change_along(lengths);
+        if (std::pow(strain / std, 2) > least) {
+            least = std::pow(strain / std, 2);
+            found = {.group = name, .strain = strain, .std = std};
+        }
+    }
+    return found;
+}
+
+/// Sets the factor by which all strokes are off, as with a wrong pitch, but those of lengths let
+/// go.
+void set_stroke_factor(EpochChanges& changes, const EvidenceTest& test, const EpochEntries& entries,
+                       const std::vector<EdgeTurned>& turned) {
+    Eigen::VectorXd strokes = Eigen::VectorXd::Zero(entries.size());
+    for (const EdgeTurned& one : turned) {
+        if (!is_among(changes.lengths, one.edge)) {
+            strokes(entries.place_of(one.edge)) = one.stroke;
+        }
+    }
+    const auto [more, std] = test.change_along(strokes);
+    if (std::isfinite(std)) {
+        changes.stroke_factor = 1.0 + more;
+        changes.stroke_factor_std = std;
+    }
+}
+
+/// Standard deviation of the turns besides the one given; 0 where chance explains them [m].
+double excess_actuator_std(const EvidenceTest& test, const EpochEntries& entries,
+                           const std::vector<LengthChange>& let_go,
+                           const std::vector<int>& scattering) {
+    std::vector<Eigen::Index> places;
+    for (const int edge : scattering) {
+        if (!is_among(let_go, edge)) {
+            places.push_back(entries.place_of(edge));
+        }
+    }
+    const Agreement of_turns = test.agreement(places);
+    return of_turns.ratio() > of_turns.limit() ? test.spread(places) : 0.0;
+}
+
+}  // namespace
+
+bool EpochChanges::are_strokes_off() const {
+    return stroke_factor_statistic(*this) > significant_std;
+}
+
+Eigen::Index EpochEntries::place_of(int edge) const {
+    return std::ranges::lower_bound(edges, edge) - edges.begin();
+}
+
+bool are_too_many_changes(const CableNet& net, size_t changes) {
+    constexpr double most = 0.1;  // of all edges
+    constexpr double a_few = 3.0;
+    return static_cast<double>(changes) > std::max(a_few, most * net.edge_count());
+}
+
+std::vector<LengthChange> let_go_changed(EvidenceTest& test, const CableNet& net,
+                                         const EpochEntries& entries,
+                                         const std::vector<int>& edges) {
+    std::vector<LengthChange> result;
+    std::optional<LengthChange> worst = worst_change(test.changes(), entries, edges);
+    while (worst && !are_too_many_changes(net, result.size())) {
+        result.push_back(*worst);
+        test.let_go(entries.place_of(worst->edge));
+        worst = worst_change(test.changes(), entries, edges);
+    }
+    return result;
+}
+
+ComparedEpoch compared_epoch(EvidenceTest test, const CableNet& net, const EpochEntries& entries,
+                             const std::vector<EdgeTurned>& turned,
+                             const std::vector<int>& scattering) {
+    EpochChanges all_at_once;
+    all_at_once.agreement = test.agreement();
+    all_at_once.common_strain = common_strain(test, net, entries, {});
+    if (turned.size() > 1) {
+        set_stroke_factor(all_at_once, test, entries, turned);
+    }
+    std::vector<LengthChange> let_go = let_go_changed(test, net, entries, entries.edges);
+    if (are_explained_by_strokes(let_go, all_at_once, turned)) {
+        all_at_once.common_strain.reset();
+        all_at_once.is_of_all_turns = true;
+        return {.changes = std::move(all_at_once), .let_go = std::move(let_go)};
+    }
+    if (is_explained_by_strain(all_at_once)) {
+        return {.changes = std::move(all_at_once), .let_go = std::move(let_go)};
+    }
+    EpochChanges changes;
+    changes.lengths = let_go;
+    changes.agreement = test.agreement();
+    set_stroke_factor(changes, test, entries, turned);
+    if (!changes.are_strokes_off()) {
+        changes.common_strain = common_strain(test, net, entries, let_go);
+    }
+    if (!changes.common_strain) {
+        changes.excess_actuator_std = excess_actuator_std(test, entries, let_go, scattering);
+    }
+    return {.changes = std::move(changes), .let_go = std::move(let_go)};
+}
+
+}  // namespace taut

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimation/epoch_evidence.hpp"
+#include "taut/identification/result.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// How lengths changed before a survey, besides the turns given.
+struct EpochChanges {
+    /// Since the survey before; of the first survey: of adjustable edges from the net. The largest
+    /// first.
+    std::vector<LengthChange> lengths;
+    Agreement agreement;               ///< of all others
+    double excess_actuator_std = 0.0;  ///< EpochResult::excess_actuator_std [m]
+    double stroke_factor = 1.0;        ///< EpochResult::stroke_factor
+    double stroke_factor_std = 0.0;    ///< EpochResult::stroke_factor_std
+    /// Whether that factor explains all: then no length is let go.
+    bool is_of_all_turns = false;
+    /// A strain in common of all interior edges, or those of a group, that chance does not explain.
+    struct CommonStrain {
+        std::string group;  ///< empty: of all
+        double strain = 0.0;
+        double std = 0.0;
+    };
+    std::optional<CommonStrain> common_strain;
+
+    /// Whether the factor on all strokes is not 1.
+    [[nodiscard]] bool are_strokes_off() const;
+};
+
+/// The entries of x, LengthEvidence: edges with uncertain length, then common parameters.
+struct EpochEntries {
+    std::vector<int> edges;  ///< ascending
+    int common = 0;          ///< number of common parameters
+
+    [[nodiscard]] Eigen::Index size() const {
+        return static_cast<Eigen::Index>(edges.size()) + common;
+    }
+    [[nodiscard]] Eigen::Index place_of(int edge) const;
+};
+
+/// Whether more lengths changed than can have: then the turns are wrong.
+[[nodiscard]] bool are_too_many_changes(const CableNet& net, size_t changes);
+
+/// Lets lengths that changed go, one after another, until none is left, (epoch-change).
+/// @param edges that may have changed
+/// @return the largest change first
+[[nodiscard]] std::vector<LengthChange> let_go_changed(EvidenceTest& test, const CableNet& net,
+                                                       const EpochEntries& entries,
+                                                       const std::vector<int>& edges);
+
+/// What a comparison found, and the lengths that it let go, which these changes may explain
+/// otherwise.
+struct ComparedEpoch {
+    EpochChanges changes;
+    std::vector<LengthChange> let_go;
+};
+
+/// Compares a survey with those before it and the turns given: single lengths, a factor on all
+/// strokes, a strain in common, and the scatter of the turns.
+/// @param turned before the survey, as given
+/// @param scattering edges whose turns may scatter more than given
+[[nodiscard]] ComparedEpoch compared_epoch(EvidenceTest test, const CableNet& net,
+                                           const EpochEntries& entries,
+                                           const std::vector<EdgeTurned>& turned,
+                                           const std::vector<int>& scattering);
+
+}  // namespace taut
