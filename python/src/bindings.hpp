@@ -20,8 +20,10 @@ void bind_frequency(nb::module_& module);
 void bind_sampling(nb::module_& module);
 void bind_gp(nb::module_& module);
 void bind_identification(nb::module_& module);
+void bind_identification_result(nb::module_& module);  ///< for bind_identification()
 void bind_precision(nb::module_& module);
 void bind_adjustment(nb::module_& module);
+void bind_plan(nb::module_& module);  ///< for bind_adjustment()
 void bind_study(nb::module_& module);
 void bind_interchange(nb::module_& module);
 
