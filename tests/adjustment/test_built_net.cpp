@@ -19,6 +19,8 @@
 namespace taut {
 namespace {
 
+using test::uncertain;
+
 constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.002};
 constexpr double noise = 0.5e-3;
 
@@ -35,11 +37,11 @@ CableNet site_net() {
 }
 
 Identification identified(const CableNet& net, const Survey& survey,
-                          std::vector<UncertainParameter> uncertain) {
+                          std::vector<UncertainParameter> given) {
     return identify(net, survey,
                     {.method = IdentificationMethod::map,
                      .prior = prior,
-                     .uncertain = std::move(uncertain),
+                     .uncertain = std::move(given),
                      .draws = 30});
 }
 
@@ -73,21 +75,20 @@ TEST(BuiltNet, HasTheSamplesOfAllThatIsUncertain) {
     for (const char* one : {"stiffness:5%", "stiffness-each:3%", "temperature:10K", "supports:1mm",
                             "adjustable:0.5mm", "loads:10%", "loads:2N"}) {
         SCOPED_TRACE(one);
-        expect_same_samples(net, identified(net, s.survey, {parse_uncertain_parameter(one)}));
+        expect_same_samples(net, identified(net, s.survey, uncertain({one})));
     }
-    std::vector<UncertainParameter> all =
-        with_site_assumptions(net, {parse_uncertain_parameter("loads:10%")});
-    expect_same_samples(net, identified(net, s.survey, std::move(all)));
+    expect_same_samples(
+        net, identified(net, s.survey, with_site_assumptions(net, uncertain({"loads:10%"}))));
 }
 
 TEST(BuiltNet, HasTheSamplesOfElasticSupports) {
     const CableNet net = test::on_springs(site_net());
-    const auto supports = parse_uncertain_parameter("supports:1mm");
-    const auto stiffness = parse_uncertain_parameter("support-stiffness:10%");
     const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
-    expect_same_samples(net, identified(net, s.survey, {supports}));
-    expect_same_samples(net, identified(net, s.survey, {stiffness}));
-    expect_same_samples(net, identified(net, s.survey, {supports, stiffness}));
+    for (const auto& given : {uncertain({"supports:1mm"}), uncertain({"support-stiffness:10%"}),
+                              uncertain({"supports:1mm", "support-stiffness:10%"})}) {
+        SCOPED_TRACE(to_string(given));
+        expect_same_samples(net, identified(net, s.survey, given));
+    }
 }
 
 TEST(BuiltNet, HasTheTensionsOfSamplesInAnotherFrame) {
@@ -97,9 +98,8 @@ TEST(BuiltNet, HasTheTensionsOfSamplesInAnotherFrame) {
     for (auto place : s.survey.form.colwise()) {
         place += Eigen::Vector3d(5e-3, -4e-3, 3e-3);
     }
-    const Identification found = identified(net, s.survey,
-                                            {parse_uncertain_parameter("supports:1mm"),
-                                             parse_uncertain_parameter("support-stiffness:10%")});
+    const Identification found =
+        identified(net, s.survey, uncertain({"supports:1mm", "support-stiffness:10%"}));
     const BuiltNet built = built_net_of(net, found);
     ASSERT_EQ(built.no_draws_because, "");
     for (int d = 0; d < found.draws->count(); ++d) {
@@ -153,7 +153,7 @@ TEST(BuiltNet, HasTheSamplesOfASupportOrTurnbuckleThatTheSurveyContradicts) {
 TEST(BuiltNet, OfOlderSamplesWithoutWhatWasUncertainHasNone) {
     const CableNet net = site_net();
     const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
-    Identification found = identified(net, s.survey, {parse_uncertain_parameter("stiffness:5%")});
+    Identification found = identified(net, s.survey, uncertain({"stiffness:5%"}));
     found.draws->perturbations = {};
     const BuiltNet built = built_net_of(net, found);
     EXPECT_EQ(built.length_draws.cols(), 0);

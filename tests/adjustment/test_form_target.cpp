@@ -12,6 +12,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "support/refusals.hpp"
+#include "support/small_nets.hpp"
 #include "support/surfaces.hpp"
 #include "taut/design/builtin_nets.hpp"
 
@@ -19,7 +21,6 @@ namespace taut {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 TEST(FormTarget, WeighsSquaresAlongAndAcrossItsNormal) {
     const CableNet net = hypar(5, 5);
@@ -33,14 +34,8 @@ TEST(FormTarget, WeighsSquaresAlongAndAcrossItsNormal) {
 }
 
 TEST(FormTarget, OfASingleCableHasTheNormalsWeightInAllDirections) {
-    CableNetData data;
-    data.nodes.resize(3, 3);
-    data.nodes << 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, -0.1, 0.0;
-    data.supports = {0, 2};
-    data.edges = {{0, 1}, {1, 2}};
-    data.axial_stiffness = Eigen::VectorXd::Constant(2, 1e5);
-    data.unstressed_lengths = Eigen::VectorXd::Constant(2, 1.0);
-    data.adjustable = {0};
+    CableNetData data = test::chain_data(2, 2.0, 0.0);
+    data.nodes(2, 1) = -0.1;
     const CableNet net(data);
     const FormTarget target(net, net.nodes());
     EXPECT_TRUE(target.normals().isZero(0.0));
@@ -88,22 +83,18 @@ TEST(FormTarget, OfASurfaceCountsTheDistanceFromItAndTheWayAlongItFromTheDesigne
 
 TEST(FormTarget, RefusesASurfaceOutOfReachAndSaysInWhichUnitItWouldFit) {
     const CableNet net = hypar(5, 5);
-    const auto refused = [](const char* text) {
-        return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
+    const auto refused = [&](const auto& surface, const char* text) {
+        test::expect_refused([&] { return FormTarget(net, surface); }, text);
     };
-    EXPECT_THAT([&] { FormTarget(net, test::plane_at(3.0, net)); },
-                refused("m from the surface, expected at most"));
-    EXPECT_THAT([&] { FormTarget(net, test::plane_at(3.0, net)); }, refused("unit or frame"));
+    refused(test::plane_at(3.0, net), "m from the surface, expected at most");
+    refused(test::plane_at(3.0, net), "unit or frame");
     CableNetData half = net.data();
     half.nodes.row(0) *= 0.5;
     half.nodes.row(1) *= 0.5;
-    EXPECT_THAT([&] { FormTarget(net, test::surface_through(net, half.nodes)); },
-                refused("m beyond the border of the surface"));
-    EXPECT_THAT([&] { FormTarget(net, test::surface_through(net, net.nodes(), 1e3)); },
-                refused("in mm it would fit"));
-    EXPECT_THAT(
-        [&] { FormTarget(net, test::surface_through(net, net.nodes())).move_to(net.nodes()); },
-        refused("surface cannot be moved"));
+    refused(test::surface_through(net, half.nodes), "m beyond the border of the surface");
+    refused(test::surface_through(net, net.nodes(), 1e3), "in mm it would fit");
+    FormTarget sound(net, test::surface_through(net, net.nodes()));
+    test::expect_refused([&] { sound.move_to(net.nodes()); }, "surface cannot be moved");
 }
 
 TEST(FormTarget, IsMadeOfWhatIsGiven) {
@@ -148,18 +139,18 @@ TEST(FormTarget, WarnsOfTrianglesWithoutAreaAndNodesBeyondTheBorder) {
 TEST(FormTarget, RefusesWhatIsNoTarget) {
     const CableNet net = hypar(3, 3);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto refused = [](const char* text) {
-        return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
+    const auto refused = [&](const Points& places, double weight, const char* text) {
+        test::expect_refused([&] { return FormTarget(net, places, {.normal = weight}); }, text);
     };
-    EXPECT_THAT([&] { FormTarget(net, net.nodes().leftCols(4)); }, refused("target"));
+    refused(net.nodes().leftCols(4), 1.0, "target");
     Points broken = net.nodes();
     broken(0, 0) = nan;
-    EXPECT_THAT([&] { FormTarget(net, broken); }, refused("target"));
-    EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = -1.0}); }, refused("weight is -1"));
-    EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = nan}); }, refused("weight is nan"));
+    refused(broken, 1.0, "target");
+    refused(net.nodes(), -1.0, "weight is -1");
+    refused(net.nodes(), nan, "weight is nan");
     FormTarget target(net, net.nodes());
-    EXPECT_THAT([&] { target.set_weights(Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3)); },
-                refused("3 and 3 weights"));
+    const Eigen::VectorXd few = Eigen::VectorXd::Ones(3);
+    test::expect_refused([&] { target.set_weights(few, few); }, "3 and 3 weights");
     EXPECT_THROW(static_cast<void>(target.weight(net.node_count())), std::out_of_range);
     EXPECT_THROW(static_cast<void>(target.weighted(-1, Eigen::Vector3d::Zero())),
                  std::out_of_range);

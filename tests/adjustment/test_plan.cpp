@@ -5,17 +5,17 @@
 // a higher probability than other samples confirm.
 #include "taut/adjustment/plan.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "support/random_nets.hpp"
+#include "adjustment/built_nets.hpp"
+#include "support/json_numbers.hpp"
+#include "support/refusals.hpp"
 #include "support/surfaces.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -25,26 +25,13 @@ namespace taut {
 namespace {
 
 using nlohmann::json;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
-
-/// A net built with other lengths, in equilibrium.
-CableNet built_with(const CableNet& net, const Eigen::VectorXd& lengths) {
-    CableNetData data = net.data();
-    data.unstressed_lengths = lengths;
-    data.nodes = EquilibriumSolver(net).solve(lengths, net.nodes()).form;
-    return CableNet(std::move(data));
-}
-
-BuiltNet random_built(const CableNet& net, std::uint64_t seed, double reach) {
-    test::Random random(seed);
-    return {.net = built_with(
-                net, with_length_deviations(
-                         net, test::uniform_vector(random, net.interior_edge_count(), reach))),
-            .length_draws = {},
-            .perturbations = {},
-            .no_draws_because = "none were made"};
-}
+using test::limits_between;
+using test::random_built;
+using test::solved_tensions;
+using test::strokes_up_to;
+using test::vector_of;
+using test::with_lengths;
+using test::without_draws;
 
 /// Lengths of the built net after a plan.
 Eigen::VectorXd lengths_after(const BuiltNet& built, const Plan& plan) {
@@ -56,45 +43,25 @@ Eigen::VectorXd lengths_after(const BuiltNet& built, const Plan& plan) {
 }
 
 Eigen::VectorXd tensions_after(const BuiltNet& built, const Plan& plan) {
-    const Eigen::VectorXd lengths = lengths_after(built, plan);
-    return tensions(built.net, lengths,
-                    EquilibriumSolver(built.net).solve(lengths, built.net.nodes()).form);
-}
-
-Limits limits_between(const CableNet& net, double stroke, double lower, double upper) {
-    Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), stroke);
-    limits.tension.lower.setConstant(lower);
-    limits.tension.upper.setConstant(upper);
-    return limits;
+    return solved_tensions(built.net, lengths_after(built, plan), built.net.nodes());
 }
 
 /// The net of make_plan_reference.py, as built, and its limits.
 struct Reference {
     json numbers = json::parse(std::ifstream(TAUT_TEST_DATA_DIR "/plan_reference.json"));
     CableNet net = designed(numbers);
-    BuiltNet built{.net = built_with(net, vector_of(numbers["built"])),
-                   .length_draws = {},
-                   .perturbations = {},
-                   .no_draws_because = "none were made"};
+    BuiltNet built = without_draws(with_lengths(net, vector_of(numbers["built"])));
     Limits limits = limits_between(built.net, numbers["stroke"].get<double>(),
                                    numbers["lower"].get<double>(), numbers["upper"].get<double>());
     FormTarget target{net, net.nodes(), {.normal = 1.0, .tangential = 1.0}};
 
 private:
-    static Eigen::VectorXd vector_of(const json& list) {
-        const auto values = list.get<std::vector<double>>();
-        return Eigen::VectorXd::Map(values.data(), std::ssize(values));
-    }
     static CableNet designed(const json& reference);
 };
 
 CableNet Reference::designed(const json& reference) {
     CableNetData data;
-    const auto nodes = reference["nodes"].get<std::vector<std::vector<double>>>();
-    data.nodes.resize(3, std::ssize(nodes));
-    for (size_t i = 0; i < nodes.size(); ++i) {
-        data.nodes.col(static_cast<Eigen::Index>(i)) = Eigen::Vector3d::Map(nodes[i].data());
-    }
+    data.nodes = test::points_of(reference["nodes"]);
     data.supports = reference["supports"].get<std::vector<int>>();
     data.edges = reference["edges"].get<std::vector<Edge>>();
     data.unstressed_lengths = vector_of(reference["nominal"]);
@@ -182,7 +149,7 @@ TEST(Plan, BringsANetToASurfaceAlongWhichItsNodesMaySlide) {
     const CableNet net = hypar(8, 8);
     const BuiltNet built = random_built(net, 6, 4e-3);
     const auto surface = wavy_surface(net, 10e-3);
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 15e-3);
+    const Limits limits = strokes_up_to(built.net, 15e-3);
     const FormTarget target(net, surface, {.normal = 1.0, .tangential = 0.0});
     const Plan plan = plan_strokes(built, target, limits);
     // The reported deviation is the distance of the planned form from the surface.
@@ -223,7 +190,7 @@ TEST(Plan, OfASurfaceHoldsNodesAlongItByTheTangentialWeight) {
     const CableNet net = hypar(6, 6);
     const BuiltNet built = random_built(net, 8, 4e-3);
     const auto surface = test::surface_through(net, net.nodes());
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 15e-3);
+    const Limits limits = strokes_up_to(built.net, 15e-3);
     const auto planned = [&](double tangential) {
         return plan_strokes(
             built, FormTarget(net, surface, {.normal = 1.0, .tangential = tangential}), limits);
@@ -240,17 +207,16 @@ TEST(Plan, OfASurfaceHoldsNodesAlongItByTheTangentialWeight) {
 TEST(Plan, MinimisesTheLargestDeviationIfAskedTo) {
     const CableNet net = hypar(6, 6);
     const BuiltNet built = random_built(net, 6, 3e-3);
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const Limits limits = strokes_up_to(built.net, 10e-3);
     const DeviationWeights weights{.normal = 1.0, .tangential = 1.0};
     const Plan mean = plan_strokes(built, FormTarget(net, net.nodes(), weights), limits);
     const Plan largest =
         plan_strokes(built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits);
     EXPECT_LT(largest.planned.max, 0.98 * mean.planned.max);
     EXPECT_GT(largest.planned.rmse, mean.planned.rmse);
-    PlanOptions options;
-    options.tolerance = 0.5 * (largest.planned.normal_max + largest.as_built.normal_max);
     const Plan few = plan_strokes(
-        built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits, options);
+        built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits,
+        {.tolerance = 0.5 * (largest.planned.normal_max + largest.as_built.normal_max)});
     EXPECT_TRUE(few.is_within_tolerance.value_or(false));
     EXPECT_LT(few.strokes.size(), largest.strokes.size());
 }
@@ -258,7 +224,7 @@ TEST(Plan, MinimisesTheLargestDeviationIfAskedTo) {
 TEST(Plan, DependsOnlyOnRatiosOfWeights) {
     const CableNet net = hypar(5, 5);
     const BuiltNet built = random_built(net, 6, 3e-3);
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const Limits limits = strokes_up_to(built.net, 10e-3);
     const auto plan_with = [&](double unit) {
         return plan_strokes(
             built, FormTarget(net, net.nodes(), {.normal = 2.0 * unit, .tangential = 0.5 * unit}),
@@ -279,9 +245,9 @@ TEST(Plan, HasTheLeastViolationWhereLimitsCannotBeKept) {
     const BuiltNet built = random_built(net, 1, 2e-3);
     const Eigen::VectorXd now =
         tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
-    const FormTarget target(net, net.nodes());
-    const Plan plan = plan_strokes(
-        built, target, limits_between(built.net, 1e-3, 3.0 * now.mean(), 10.0 * now.mean()));
+    const Plan plan =
+        plan_strokes(built, FormTarget(net, net.nodes()),
+                     limits_between(built.net, 1e-3, 3.0 * now.mean(), 10.0 * now.mean()));
     EXPECT_FALSE(plan.is_feasible);
     EXPECT_FALSE(plan.limit_probability.has_value());
     ASSERT_FALSE(plan.breaches.empty());
@@ -293,10 +259,9 @@ TEST(Plan, HasTheLeastViolationWhereLimitsCannotBeKept) {
 TEST(Plan, OfWholeStepsIsOfWholeStepsAndCostsLittle) {
     const CableNet net = hilo_quarter();
     const BuiltNet built = random_built(net, 3, 5e-3);
-    PlanOptions options;
-    options.turn = TurnSize{.pitch = 5e-3, .smallest = 0.25};
     const Plan plan = plan_strokes(built, FormTarget(net, net.nodes()),
-                                   limits_between(built.net, 15e-3, 1.5e3, 10e3), options);
+                                   limits_between(built.net, 15e-3, 1.5e3, 10e3),
+                                   {.turn = TurnSize{.pitch = 5e-3, .smallest = 0.25}});
     EXPECT_TRUE(plan.is_feasible);
     for (const PlannedStroke& stroke : plan.strokes) {
         const double steps = stroke.stroke / 1.25e-3;
@@ -312,7 +277,7 @@ TEST(Plan, TurnsFewEdgesForATolerance) {
     const CableNet net = hypar(8, 8);
     const BuiltNet built = random_built(net, 4, 3e-3);
     const FormTarget target(net, net.nodes());
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const Limits limits = strokes_up_to(built.net, 10e-3);
     const Plan all = plan_strokes(built, target, limits);
     PlanOptions options;
     options.tolerance = 0.5 * (all.planned.normal_rmse + all.as_built.normal_rmse);
@@ -395,9 +360,8 @@ TEST(Plan, KeepsItsLimitsInOtherSamplesThanItsOwn) {
                 sample.lengths(stroke.edge) += stroke.stroke;
             }
             const CableNet truth = net_under(built.net, sample.perturbation, sample.lengths);
-            const Eigen::VectorXd after = tensions(
-                truth, truth.unstressed_lengths(),
-                EquilibriumSolver(truth).solve(truth.unstressed_lengths(), plan.form).form);
+            const Eigen::VectorXd after =
+                solved_tensions(truth, truth.unstressed_lengths(), plan.form);
             kept += after.minCoeff() >= 2.5e3 && after.maxCoeff() <= most ? 1 : 0;
         }
         EXPECT_GE(kept, 0.9 * count);  // 95 % required; 186 to 194 are two deviations
@@ -417,7 +381,7 @@ TEST(Plan, KeepsReactionsAndTensionsWithinTheirLimitsUnderLaterLoads) {
     const CableNet net = hypar(6, 6);
     const BuiltNet built = random_built(net, 5, 2e-3);
     const FormTarget target(net, net.nodes());
-    Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    Limits limits = strokes_up_to(built.net, 10e-3);
     Points wet = Points::Zero(3, net.node_count());
     wet.row(2).setConstant(-60.0);
     limits.load_cases = {{.name = "wet", .loads = wet, .tension = limits.tension}};
@@ -425,9 +389,7 @@ TEST(Plan, KeepsReactionsAndTensionsWithinTheirLimitsUnderLaterLoads) {
     loaded.loads = wet;
     const CableNet under(loaded);
     const auto tensions_then = [&](const Plan& plan) {
-        const Eigen::VectorXd lengths = lengths_after(built, plan);
-        return tensions(under, lengths,
-                        EquilibriumSolver(under).solve(lengths, built.net.nodes()).form);
+        return solved_tensions(under, lengths_after(built, plan), built.net.nodes());
     };
     // One edge at each support: its tension is the reaction.
     const auto largest_reaction = [&](const Plan& plan) {
@@ -462,9 +424,9 @@ TEST(Plan, IsNotMadeOnAFailedIdentificationUnlessThatIsAccepted) {
     BuiltNet built = random_built(net, 1, 1e-3);
     built.failed_because = "the noise is contradicted";
     const FormTarget target(net, net.nodes());
-    const Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 5e-3);
-    EXPECT_THAT([&] { static_cast<void>(plan_strokes(built, target, limits)); },
-                ThrowsMessage<FailedIdentification>(HasSubstr("the noise is contradicted")));
+    const Limits limits = strokes_up_to(net, 5e-3);
+    test::expect_refused<FailedIdentification>([&] { return plan_strokes(built, target, limits); },
+                                               "the noise is contradicted");
     EXPECT_FALSE(plan_strokes(built, target, limits, {.accept_failed = true}).strokes.empty());
 }
 
@@ -491,8 +453,7 @@ TEST(Plan, RefusesOptionsOutOfRange) {
                             options);
     };
     const auto expect_refused = [&](const PlanOptions& options, const char* text) {
-        EXPECT_THAT([&] { static_cast<void>(planned(options)); },
-                    ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+        test::expect_refused([&] { return planned(options); }, text);
     };
     expect_refused({.edges = {99}}, "edge 99");
     expect_refused({.edges = {2, 2}}, "at most once");

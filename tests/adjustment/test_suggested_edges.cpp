@@ -4,30 +4,21 @@
 // Guards against suggested edges that help less than others.
 #include "taut/adjustment/suggested_edges.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "support/random_nets.hpp"
+#include "adjustment/built_nets.hpp"
+#include "support/refusals.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
-
 BuiltNet built_of(const CableNet& net, const Eigen::VectorXd& deviations) {
-    CableNetData data = net.data();
-    data.unstressed_lengths = with_length_deviations(net, deviations);
-    data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
-    return {.net = CableNet(std::move(data)),
-            .length_draws = {},
-            .perturbations = {},
-            .no_draws_because = "of a test"};
+    return test::without_draws(test::with_lengths(net, with_length_deviations(net, deviations)));
 }
 
 TEST(SuggestedEdges, BeginWithTheOneEdgeThatIsWrong) {
@@ -37,7 +28,7 @@ TEST(SuggestedEdges, BeginWithTheOneEdgeThatIsWrong) {
     deviations(at) = 4e-3;
     const BuiltNet built = built_of(net, deviations);
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const Limits limits = test::strokes_up_to(built.net, 10e-3);
     const Plan plan = plan_strokes(built, target, limits);
     const std::vector<SuggestedEdge> suggested =
         suggested_edges(built, target, limits, {}, plan, 1);
@@ -49,12 +40,10 @@ TEST(SuggestedEdges, BeginWithTheOneEdgeThatIsWrong) {
 
 TEST(SuggestedEdges, AreTheBestOfAllTriedOneByOne) {
     const CableNet net = hypar(4, 4);
-    test::Random random(12);
-    const BuiltNet built =
-        built_of(net, test::uniform_vector(random, net.interior_edge_count(), 4e-3));
+    const BuiltNet built = test::random_built(net, 12, 4e-3);
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
     constexpr double stroke = 6e-3;
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), stroke);
+    const Limits limits = test::strokes_up_to(built.net, stroke);
     const Plan plan = plan_strokes(built, target, limits);
     const std::vector<SuggestedEdge> suggested =
         suggested_edges(built, target, limits, {}, plan, 2);
@@ -93,16 +82,16 @@ TEST(SuggestedEdges, AreNoneWhereNothingIsWrongAndRefuseOtherPlans) {
     const CableNet net = hypar(4, 4);
     const BuiltNet built = built_of(net, Eigen::VectorXd::Zero(net.interior_edge_count()));
     const FormTarget target(net, built.net.nodes());
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 5e-3);
+    const Limits limits = test::strokes_up_to(built.net, 5e-3);
     Plan plan = plan_strokes(built, target, limits);
-    EXPECT_THAT([&] { static_cast<void>(suggested_edges(built, target, limits, {}, plan, 0)); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("0 suggested edges")));
+    test::expect_refused([&] { return suggested_edges(built, target, limits, {}, plan, 0); },
+                         "0 suggested edges");
     for (const SuggestedEdge& one : suggested_edges(built, target, limits, {}, plan, 1)) {
         EXPECT_LT(std::abs(one.stroke), 1e-6);
     }
     plan.strokes = {{.edge = net.interior_edges().front(), .stroke = 1e-3}};
-    EXPECT_THAT([&] { static_cast<void>(suggested_edges(built, target, limits, {}, plan, 1)); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("not one of its adjustable")));
+    test::expect_refused([&] { return suggested_edges(built, target, limits, {}, plan, 1); },
+                         "not one of its adjustable");
 }
 
 }  // namespace

@@ -7,16 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <random>
+
+#include "support/textbook.hpp"
 
 namespace taut {
 namespace {
 
-Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
-}
+using test::normal_matrix;
 
 /// For linear functions of coordinates the remaining variance is that of the conditional normal
 /// distribution with the samples' covariance.

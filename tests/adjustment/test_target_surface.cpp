@@ -5,20 +5,16 @@
 // cancel out, where faces meet.
 #include "taut/adjustment/target_surface.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 #include "support/random_nets.hpp"
+#include "support/refusals.hpp"
 
 namespace taut {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 /// The height z over a grid of points, two triangles a cell, every other one turned over.
 template <typename Height>
@@ -119,16 +115,16 @@ TEST(TargetSurface, JoinsVerticesAtOnePlaceAndLeavesOutWhatHasNoArea) {
 }
 
 TEST(TargetSurface, RefusesWhatIsNoSurface) {
-    const auto refused = [](const char* text) {
-        return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
-    };
     Points vertices = Points::Random(3, 3);
-    EXPECT_THAT([&] { TargetSurface(vertices, {}); }, refused("no triangle"));
-    EXPECT_THAT([&] { TargetSurface(vertices, {{0, 1, 3}}); }, refused("vertex 3 of 3"));
-    EXPECT_THAT([&] { TargetSurface(vertices, {{0, 1, -1}}); }, refused("vertex -1 of 3"));
-    EXPECT_THAT([&] { TargetSurface(vertices, {{0, 1, 1}}); }, refused("has an area"));
+    const auto refused = [&](const std::vector<std::array<int, 3>>& triangles, const char* text) {
+        test::expect_refused([&] { return TargetSurface(vertices, triangles); }, text);
+    };
+    refused({}, "no triangle");
+    refused({{0, 1, 3}}, "vertex 3 of 3");
+    refused({{0, 1, -1}}, "vertex -1 of 3");
+    refused({{0, 1, 1}}, "has an area");
     vertices(1, 2) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT([&] { TargetSurface(vertices, {{0, 1, 2}}); }, refused("vertex 2"));
+    refused({{0, 1, 2}}, "vertex 2");
 }
 
 }  // namespace

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adjustment/built_nets.hpp"
 #include "adjustment/target_deviations.hpp"
 #include "support/finite_differences.hpp"
-#include "support/random_nets.hpp"
 #include "taut/adjustment/plan_turns.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -29,24 +29,6 @@ using ::testing::HasSubstr;
 /// A net built with random lengths, its design, and the tensions as it stands.
 class TensionTargets : public ::testing::Test {
 protected:
-    static CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths) {
-        CableNetData data = net.data();
-        data.unstressed_lengths = lengths;
-        data.nodes = EquilibriumSolver(net).solve(lengths, net.nodes()).form;
-        return CableNet(std::move(data));
-    }
-
-    BuiltNet built_with(double reach) const {
-        test::Random random(7);
-        return {.net = with_lengths(
-                    design,
-                    with_length_deviations(
-                        design, test::uniform_vector(random, design.interior_edge_count(), reach))),
-                .length_draws = {},
-                .perturbations = {},
-                .no_draws_because = "none were made"};
-    }
-
     [[nodiscard]] std::vector<TensionTarget> targets_at(const std::vector<int>& edges,
                                                         double factor,
                                                         double tolerance = 0.01) const {
@@ -63,8 +45,17 @@ protected:
                                DeviationWeights weights = {},
                                FormObjective objective = FormObjective::rms) const {
         return plan_strokes(built, FormTarget(design, design.nodes(), weights, objective),
-                            limits_of_stroke(built.net, design.adjustable_edges().size(), stroke),
-                            options);
+                            test::strokes_up_to(built.net, stroke), options);
+    }
+
+    static void expect_target_refused(const auto& action, const char* text) {
+        try {
+            static_cast<void>(action());
+            ADD_FAILURE() << "expected: " << text;
+        } catch (const RequestError& error) {
+            EXPECT_EQ(error.field(), "target_tension");
+            EXPECT_THAT(error.problem(), HasSubstr(text));
+        }
     }
 
     static auto all_have(TensionObstacle obstacle) {
@@ -72,7 +63,7 @@ protected:
     }
 
     CableNet design = hypar(5, 5);
-    BuiltNet built = built_with(2e-3);
+    BuiltNet built = test::random_built(design, 7, 2e-3);
     Eigen::VectorXd now = tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
     std::vector<int> some = {design.adjustable_edges()[0], design.adjustable_edges()[5],
                              design.adjustable_edges()[11]};
@@ -160,9 +151,9 @@ TEST_F(TensionTargets, SayWhatIsInTheWay) {
 }
 
 TEST_F(TensionTargets, TightenSlackEdges) {
-    CableNetData data = design.data();
-    data.unstressed_lengths(some[0]) += 40e-3;
-    built.net = with_lengths(design, data.unstressed_lengths);
+    Eigen::VectorXd lengths = design.unstressed_lengths();
+    lengths(some[0]) += 40e-3;
+    built.net = test::with_lengths(design, lengths);
     const double slack =
         tensions(built.net, built.net.unstressed_lengths(), built.net.nodes())(some[0]);
     ASSERT_EQ(slack, 0.0);
@@ -262,13 +253,7 @@ TEST_F(TensionTargets, OfEdgesOverrideThoseOfGroupsAndTheseThoseOfAll) {
     EXPECT_EQ(targets[5].tension, 1e3);
     EXPECT_EQ(targets[5].tolerance, 100.0);
     const auto refused = [&](const std::vector<GivenTension>& given, const char* text) {
-        try {
-            static_cast<void>(resolved(given));
-            ADD_FAILURE() << "expected: " << text;
-        } catch (const RequestError& error) {
-            EXPECT_EQ(error.field(), "target_tension");
-            EXPECT_THAT(error.problem(), HasSubstr(text));
-        }
+        expect_target_refused([&] { return resolved(given); }, text);
     };
     refused({ridge, {.tension = 1e3, .group = "valley"}}, "is given twice: 2000 +- 100 N and 1000");
     refused({{.tension = 1e3, .group = "roof"}}, "names the group 'roof'");
@@ -278,18 +263,16 @@ TEST_F(TensionTargets, OfEdgesOverrideThoseOfGroupsAndTheseThoseOfAll) {
 }
 
 TEST_F(TensionTargets, AreRefusedWhereNoPlanCanReachThem) {
-    Limits limits = limits_of_stroke(built.net, design.adjustable_edges().size(), 15e-3);
+    Limits limits = test::strokes_up_to(built.net, 15e-3);
     limits.tension.lower(some[0]) = 0.9 * now(some[0]);
     limits.tension.upper(some[0]) = 1.1 * now(some[0]);
     const auto refused = [&](const std::vector<TensionTarget>& targets, const char* text) {
-        try {
-            static_cast<void>(plan_strokes(built, FormTarget(design, design.nodes()), limits,
-                                           {.target_tensions = targets}));
-            ADD_FAILURE() << "expected: " << text;
-        } catch (const RequestError& error) {
-            EXPECT_EQ(error.field(), "target_tension");
-            EXPECT_THAT(error.problem(), HasSubstr(text));
-        }
+        expect_target_refused(
+            [&] {
+                return plan_strokes(built, FormTarget(design, design.nodes()), limits,
+                                    {.target_tensions = targets});
+            },
+            text);
     };
     refused(targets_at({some[0]}, 1.2), "but its tension is limited to");
     refused(targets_at({some[0]}, 0.8), "but its tension is limited to");

@@ -4,14 +4,14 @@
 // Guards against an order of work in which a cable leaves its limits on the way.
 #include "taut/adjustment/turn_order.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <random>
 
-#include "support/random_nets.hpp"
+#include "adjustment/built_nets.hpp"
+#include "support/refusals.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -19,38 +19,29 @@
 namespace taut {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
+using test::expect_refused;
 
 class TurnOrderOfHilo : public ::testing::Test {
 protected:
     TurnOrderOfHilo() {
-        test::Random random(2);
-        CableNetData data = net.data();
-        data.unstressed_lengths = with_length_deviations(
-            net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
-        data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
-        built.net = CableNet(data);
-        limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
-        limits.tension.lower.setConstant(1e3);
-        limits.tension.upper.setConstant(11e3);
-        PlanOptions options;
-        options.turn = TurnSize{.pitch = 5e-3, .smallest = 0.25};
-        plan = plan_strokes(built, FormTarget(net, net.nodes()), limits, options);
+        plan = plan_strokes(built, FormTarget(net, net.nodes()), limits,
+                            {.turn = TurnSize{.pitch = 5e-3, .smallest = 0.25}});
+    }
+
+    [[nodiscard]] TurnOrder order_of(const TurnOrderOptions& options) const {
+        return order_turns(built, limits, plan, options);
     }
 
     CableNet net = hilo_quarter();
-    BuiltNet built{
-        .net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = "none were made"};
-    Limits limits;
+    BuiltNet built = test::random_built(net, 2, 5e-3);
+    Limits limits = test::limits_between(net, 15e-3, 1e3, 11e3);
     Plan plan;
 };
 
 TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryStep) {
     ASSERT_TRUE(plan.is_feasible);
     for (const int crews : {1, 3}) {
-        const TurnOrder order =
-            order_turns(built, limits, plan, {.crews = crews, .turn_step = 1.25e-3});
+        const TurnOrder order = order_of({.crews = crews, .turn_step = 1.25e-3});
         EXPECT_TRUE(order.is_safe);
         std::map<int, double> done;
         // A limit that was broken before the work may stay broken, but by no more.
@@ -92,8 +83,7 @@ TEST_F(TurnOrderOfHilo, GoesStageByStage) {
     const std::vector<WorkStage> stages{{.name = "a", .edges = first, .part = 0.5},
                                         {.name = "b", .edges = second},
                                         {.name = "a", .edges = first}};
-    const TurnOrder order =
-        order_turns(built, limits, plan, {.stages = stages, .turn_step = 1.25e-3});
+    const TurnOrder order = order_of({.stages = stages, .turn_step = 1.25e-3});
     ASSERT_EQ(order.stages.size(), 4u);
     EXPECT_EQ(order.stages[3].name, "rest");
     EXPECT_EQ(order.passes % 4, 0);
@@ -118,8 +108,7 @@ TEST_F(TurnOrderOfHilo, GoesStageByStage) {
         EXPECT_NEAR(done[stroke.edge], stroke.stroke, 1e-12);
         lengths(stroke.edge) += stroke.stroke;
     }
-    const Eigen::VectorXd at_end =
-        tensions(built.net, lengths, EquilibriumSolver(built.net).solve(lengths, net.nodes()).form);
+    const Eigen::VectorXd at_end = test::solved_tensions(built.net, lengths, net.nodes());
     EXPECT_NEAR(order.stages[3].least_tension, std::max(0.0, at_end.minCoeff()), 1.0);
     EXPECT_NEAR(order.stages[3].most_tension, at_end.maxCoeff(), 1.0);
     EXPECT_EQ(order.stages[3].safe_probability, order.is_safe ? 1.0 : 0.0);
@@ -128,14 +117,12 @@ TEST_F(TurnOrderOfHilo, GoesStageByStage) {
 TEST_F(TurnOrderOfHilo, RefusesStagesThatGoBack) {
     const std::vector<int> edges{plan.strokes[0].edge};
     const auto with = [&](std::vector<WorkStage> stages) {
-        return [this, stages = std::move(stages)] {
-            static_cast<void>(order_turns(built, limits, plan, {.stages = stages}));
-        };
+        return [this, stages = std::move(stages)] { return order_of({.stages = stages}); };
     };
-    EXPECT_THAT(with({{.name = "a", .edges = edges}, {.name = "b", .edges = edges, .part = 0.5}}),
-                ThrowsMessage<std::invalid_argument>(HasSubstr("a stage before has done 1 of")));
-    EXPECT_THAT(with({{.name = "a", .edges = edges, .part = 0.0}}),
-                ThrowsMessage<std::invalid_argument>(HasSubstr("expected above 0")));
+    expect_refused(
+        with({{.name = "a", .edges = edges}, {.name = "b", .edges = edges, .part = 0.5}}),
+        "a stage before has done 1 of");
+    expect_refused(with({{.name = "a", .edges = edges, .part = 0.0}}), "expected above 0");
     EXPECT_THROW(with({{.name = "a", .edges = {net.edge_count()}}})(), std::out_of_range);
 }
 
@@ -170,14 +157,7 @@ TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
 class TurnOrderOfDraws : public ::testing::Test {
 protected:
     TurnOrderOfDraws() {
-        test::Random random(7);
-        CableNetData data = net.data();
-        data.unstressed_lengths = with_length_deviations(
-            net, test::uniform_vector(random, net.interior_edge_count(), 3e-3));
-        data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
-        built.net = CableNet(data);
         built.length_draws = lengths_drawn(200, 11);
-        limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
         limits.tension.lower.setConstant(least);
         plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
     }
@@ -219,8 +199,8 @@ protected:
 
     static constexpr double least = 2.2e3;
     CableNet net = hypar(6, 6);
-    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = {}};
-    Limits limits;
+    BuiltNet built = test::random_built(net, 7, 3e-3);
+    Limits limits = test::strokes_up_to(net, 15e-3);
     Plan plan;
 };
 
@@ -254,31 +234,26 @@ TEST_F(TurnOrderOfDraws, IsNotSafeWhereTheConfidenceCannotBeKept) {
 }
 
 TEST_F(TurnOrderOfHilo, RefusesOptionsOutOfRange) {
-    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.crews = 0})); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("0 crews")));
-    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.turn_step = -1.0})); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("smallest turn is -1 m")));
-    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.confidence = 1.0})); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("confidence is 1")));
-    EXPECT_THAT(
-        [&] { static_cast<void>(order_turns(built, limits, plan, {.actuator_std = -1.0})); },
-        ThrowsMessage<std::invalid_argument>(HasSubstr("actuator std is -1 m")));
+    expect_refused([&] { return order_of({.crews = 0}); }, "0 crews");
+    expect_refused([&] { return order_of({.turn_step = -1.0}); }, "smallest turn is -1 m");
+    expect_refused([&] { return order_of({.confidence = 1.0}); }, "confidence is 1");
+    expect_refused([&] { return order_of({.actuator_std = -1.0}); }, "actuator std is -1 m");
 }
 
 TEST_F(TurnOrderOfHilo, RefusesAPlanOfAnotherNetOrOtherLimits) {
-    const auto expect_refused = [&](auto change, const char* text) {
+    const auto expect_other_refused = [&](auto change, const char* text) {
         Plan other = plan;
         change(other);
-        EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, other)); },
-                    ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+        expect_refused([&] { return order_turns(built, limits, other); }, text);
     };
     const int edges = built.net.edge_count();
-    expect_refused([&](Plan& p) { p.strokes[0].edge = edges; }, "expected 0 to");
-    expect_refused([](Plan& p) { p.strokes[1].edge = p.strokes[0].edge; }, "twice");
-    expect_refused([](Plan& p) { p.strokes[0].stroke = std::nan(""); }, "by nan m");
-    expect_refused([](Plan& p) { p.effective_limits.clear(); }, "0 sets of loads, expected 1");
-    expect_refused([](Plan& p) { p.effective_limits[0].lower.conservativeResize(3); },
-                   "limits of 3 and");
+    expect_other_refused([&](Plan& p) { p.strokes[0].edge = edges; }, "expected 0 to");
+    expect_other_refused([](Plan& p) { p.strokes[1].edge = p.strokes[0].edge; }, "twice");
+    expect_other_refused([](Plan& p) { p.strokes[0].stroke = std::nan(""); }, "by nan m");
+    expect_other_refused([](Plan& p) { p.effective_limits.clear(); },
+                         "0 sets of loads, expected 1");
+    expect_other_refused([](Plan& p) { p.effective_limits[0].lower.conservativeResize(3); },
+                         "limits of 3 and");
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 #include <functional>
 #include <random>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "support/uncertain.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/energy.hpp"
@@ -23,6 +26,17 @@ struct SimulatedSurvey {
     Survey survey;
 };
 
+/// Adds independent errors to the places of some nodes.
+inline void add_noise(Points& form, const std::vector<int>& nodes, double std, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    for (const int node : nodes) {
+        for (double& coordinate : form.col(node)) {
+            coordinate += std * normal(random);
+        }
+    }
+}
+
 /// @param alter what is otherwise than the prior has it, of the length deviations (m_I)
 inline SimulatedSurvey simulate(
     const CableNet& net, const LengthPrior& prior, double noise_std, std::uint64_t seed,
@@ -35,14 +49,23 @@ inline SimulatedSurvey simulate(
                 .noise_std = Points::Constant(3, net.node_count(), noise_std),
                 .surveyed = net.free_nodes(),
                 .missing = {}};
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    for (const int node : net.free_nodes()) {
-        for (int k = 0; k < 3; ++k) {
-            s.survey.form(k, node) += noise_std * normal(random);
-        }
-    }
+    add_noise(s.survey.form, net.free_nodes(), noise_std, seed);
     return s;
+}
+
+/// Another survey of the same net as built.
+/// @param seed another one than that of the first
+inline Survey surveyed_again(const CableNet& net, const SimulatedSurvey& first, double noise_std,
+                             std::uint64_t seed) {
+    Survey again = first.survey;
+    again.form = first.truth.form;
+    add_noise(again.form, net.free_nodes(), noise_std, seed);
+    return again;
+}
+
+/// T of all edges of the net as built [N].
+inline Eigen::VectorXd true_tensions(const CableNet& net, const SimulatedSurvey& s) {
+    return tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
 }
 
 /// A third of the supports give way by a millimetre or two under the net.
@@ -74,24 +97,57 @@ inline CableNet stiffened(const CableNet& soft, double factor) {
     return CableNet(data);
 }
 
+/// Whether a value is in an interval, of a length or of something drawn.
+inline bool holds(const auto& interval, double value) {
+    return interval.lower <= value && value <= interval.upper;
+}
+
 /// Part of the lengths whose intervals hold the truth (m_I).
 inline double coverage(const Identification& result, const Eigen::VectorXd& truth) {
     double inside = 0.0;
     for (size_t i = 0; i < result.edges.size(); ++i) {
-        const double x = truth(static_cast<Eigen::Index>(i));
-        inside += result.edges[i].lower <= x && x <= result.edges[i].upper ? 1.0 : 0.0;
+        inside += holds(result.edges[i], truth(static_cast<Eigen::Index>(i))) ? 1.0 : 0.0;
     }
     return inside / static_cast<double>(result.edges.size());
 }
 
+/// Number of the drawn tensions whose intervals hold the truth (m).
+inline int tensions_held(const Identification& result, const Eigen::VectorXd& truth) {
+    return static_cast<int>(std::ranges::count_if(
+        result.drawn.tensions,
+        [&](const DrawnTension& one) { return holds(one.tension, truth(one.edge)); }));
+}
+
+/// The first finding of a kind; one without words where there is none.
+inline Trust::Finding finding_of(const Trust& trust, Trust::Finding::Kind kind) {
+    const auto found = std::ranges::find(trust.findings, kind, &Trust::Finding::kind);
+    return found == trust.findings.end() ? Trust::Finding{} : *found;
+}
+
+/// @param ids that it names; empty: any
+inline bool finds(const Identification& result, Trust::Finding::Kind kind,
+                  const std::vector<std::string>& ids = {}) {
+    return std::ranges::any_of(result.trust.findings, [&](const Trust::Finding& finding) {
+        return finding.kind == kind && (ids.empty() || finding.ids == ids);
+    });
+}
+
+/// A number of each of a result's edges.
+template <class Edge>
+Eigen::VectorXd of_edges(const std::vector<Edge>& edges, double Edge::* number) {
+    Eigen::VectorXd values(std::ssize(edges));
+    std::ranges::transform(edges, values.begin(), [&](const Edge& edge) { return edge.*number; });
+    return values;
+}
+
+/// The estimated deviations of the interior lengths (m_I) [m].
+inline Eigen::VectorXd estimates(const Identification& result) {
+    return of_edges(result.edges, &IdentifiedEdge::length_deviation);
+}
+
 /// Mean squared error of the lengths against the truth (m_I) [m2].
 inline double squared_error(const Identification& result, const Eigen::VectorXd& truth) {
-    double sum = 0.0;
-    for (size_t i = 0; i < result.edges.size(); ++i) {
-        const double error = result.edges[i].length_deviation - truth(static_cast<Eigen::Index>(i));
-        sum += error * error;
-    }
-    return sum / static_cast<double>(result.edges.size());
+    return (estimates(result) - truth).cwiseAbs2().mean();
 }
 
 /// Takes a target out of a survey.

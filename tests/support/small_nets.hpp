@@ -95,6 +95,21 @@ inline CableNetData chain_data(int edge_count, double span, double weight) {
     return data;
 }
 
+/// A node (0) 1 m below a support (1) by an edge of l_0 = 1 m and EA = 100 kN, with a weight of
+/// 1 kN: at rest it is 10 mm lower.
+inline CableNetData hanging_node_data() {
+    CableNetData data;
+    data.nodes = Points::Zero(3, 2);
+    data.nodes(2, 0) = -1.0;
+    data.supports = {1};
+    data.edges = {{0, 1}};
+    data.axial_stiffness.setConstant(1, 100e3);
+    data.unstressed_lengths.setConstant(1, 1.0);
+    data.loads = Points::Zero(3, 2);
+    data.loads(2, 0) = -1000.0;
+    return data;
+}
+
 /// 0, 1, ..., m - 1.
 inline std::vector<int> all_edges(const CableNet& net) {
     std::vector<int> edges(net.edge_count());
