@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/json_numbers.hpp"
 #include "taut/gp/kernel.hpp"
 
 /// Gaussian processes trained by scikit-learn: tests/data/gp_reference.json.
@@ -29,21 +30,6 @@ struct ReferenceData {
     std::vector<ReferenceProcess> processes;
 };
 
-inline Eigen::VectorXd to_vector(const nlohmann::json& json) {
-    const auto values = json.get<std::vector<double>>();
-    return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                             static_cast<Eigen::Index>(values.size()));
-}
-
-/// A column for each of the lists.
-inline Eigen::MatrixXd to_columns(const nlohmann::json& json) {
-    Eigen::MatrixXd result(json.at(0).size(), json.size());
-    for (size_t j = 0; j < json.size(); ++j) {
-        result.col(static_cast<Eigen::Index>(j)) = to_vector(json[j]);
-    }
-    return result;
-}
-
 inline std::vector<ReferenceData> reference_data() {
     std::ifstream file(TAUT_TEST_DATA_DIR "/gp_reference.json");
     if (!file) {
@@ -53,9 +39,9 @@ inline std::vector<ReferenceData> reference_data() {
     std::vector<ReferenceData> result;
     for (const auto& set : json.at("data_sets")) {
         ReferenceData data{.name = set.at("name"),
-                           .inputs = to_columns(set.at("inputs")),
-                           .outputs = to_columns(set.at("outputs")),
-                           .test_inputs = to_columns(set.at("test_inputs")),
+                           .inputs = columns_of(set.at("inputs")),
+                           .outputs = columns_of(set.at("outputs")),
+                           .test_inputs = columns_of(set.at("test_inputs")),
                            .processes = {}};
         for (const auto& process : set.at("processes")) {
             data.processes.push_back(
@@ -63,8 +49,8 @@ inline std::vector<ReferenceData> reference_data() {
                                      .signal_std = process.at("signal_std"),
                                      .noise_std = process.at("noise_std")},
                  .negative_log_likelihood = process.at("negative_log_likelihood"),
-                 .mean = to_vector(process.at("mean")),
-                 .std = to_vector(process.at("std"))});
+                 .mean = vector_of(process.at("mean")),
+                 .std = vector_of(process.at("std"))});
         }
         result.push_back(std::move(data));
     }

@@ -10,21 +10,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
 #include "reference.hpp"
+#include "support/refusals.hpp"
 #include "support/textbook.hpp"
 
 namespace taut::gp {
 namespace {
 
+using test::expect_refused;
 using test::infinity;
 using test::nan;
 using test::normal_matrix;
-using ::testing::HasSubstr;
 
 /// A smooth function of some inputs (d x n) with noise.
 Eigen::VectorXd smooth_output(const Eigen::MatrixXd& inputs, double noise, std::uint64_t seed) {
@@ -65,10 +64,8 @@ void expect_as_likely(const Process& process, const test::ReferenceProcess& refe
 }
 
 TEST(Fit, IsAsLikelyAsScikitLearnForAllOutputsTogether) {
-    FitSettings settings;
-    settings.max_spectra = 40;
     for (const auto& data : test::reference_data()) {
-        const FittedProcesses fitted = fit(data.inputs, data.outputs, settings);
+        const FittedProcesses fitted = fit(data.inputs, data.outputs, {.max_spectra = 40});
         for (size_t j = 0; j < data.processes.size(); ++j) {
             SCOPED_TRACE(data.name + ", output " + std::to_string(j));
             expect_as_likely(fitted.processes[j], data.processes[j]);
@@ -268,15 +265,13 @@ TEST(FitSettings, LimitTheDecompositionsAndReportEach) {
     const Eigen::MatrixXd inputs = normal_matrix(3, 40, 1);
     for (const int most : {1, 2, 5}) {
         std::vector<int> reported;
-        FitSettings settings;
-        settings.max_spectra = most;
         const Progress progress{.report = [&](std::string_view stage, int made, int total) {
             EXPECT_EQ(stage, "training");
             EXPECT_EQ(total, most);
             reported.push_back(made);
         }};
         const FittedProcesses fitted =
-            fit(inputs, smooth_output(inputs, 0.1, 2), settings, progress);
+            fit(inputs, smooth_output(inputs, 0.1, 2), {.max_spectra = most}, progress);
         ASSERT_EQ(reported.size(), static_cast<size_t>(most));
         for (int k = 0; k < most; ++k) {
             EXPECT_EQ(reported[k], k);
@@ -304,8 +299,7 @@ TEST(FitSettings, LetTheProgressGiveUp) {
 }
 
 TEST(FitSettings, HoldTheNoiseRatioWithinItsBounds) {
-    FitSettings settings;
-    settings.noise_ratio = NoiseRatioBounds{.lower = 0.25, .upper = 0.25};
+    const FitSettings settings{.noise_ratio = NoiseRatioBounds{.lower = 0.25, .upper = 0.25}};
     const Eigen::MatrixXd inputs = normal_matrix(3, 40, 1);
     const Hyperparameters theta =
         fit(inputs, smooth_output(inputs, 0.01, 2), settings).processes.front().hyperparameters;
@@ -320,9 +314,7 @@ TEST(FitSettings, BoundLambdaByTheDistancesOfTheInputs) {
         const double angle = 2.0 * std::acos(-1.0) * static_cast<double>(i) / n;
         inputs.col(i) = Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
-    FitSettings settings;
-    settings.max_spectra = 40;
-    settings.largest_scaled_lambda = 0.5;
+    FitSettings settings{.largest_scaled_lambda = 0.5, .max_spectra = 40};
     const double nearest = (inputs.col(0) - inputs.col(1)).norm();
     Eigen::VectorXd jagged(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -336,17 +328,6 @@ TEST(FitSettings, BoundLambdaByTheDistancesOfTheInputs) {
                               .processes.front()
                               .hyperparameters.inverse_length_scale;
     EXPECT_GE(smooth, 0.2 / 2.0);  // no two points are further apart than 2
-}
-
-/// Expects a refusal whose message holds some words.
-template <typename Call>
-void expect_refused(Call&& call, const std::string& words) {
-    try {
-        (void)call();
-        FAIL() << "taken, expected a refusal with '" << words << "'";
-    } catch (const std::invalid_argument& error) {
-        EXPECT_THAT(error.what(), HasSubstr(words));
-    }
 }
 
 TEST(Fit, RefusesInputsAndOutputsThatCannotBeMeant) {

@@ -31,12 +31,10 @@ Eigen::MatrixXd some_outputs(const Eigen::MatrixXd& inputs) {
 }
 
 FitSettings low_rank(int most_decomposed, int rank) {
-    FitSettings settings;
-    settings.most_decomposed = most_decomposed;
-    settings.rank = rank;
     // The textbook's factorisation loses its digits where there is hardly any noise.
-    settings.noise_ratio = NoiseRatioBounds{.lower = 1e-6};
-    return settings;
+    return {.noise_ratio = NoiseRatioBounds{.lower = 1e-6},
+            .most_decomposed = most_decomposed,
+            .rank = rank};
 }
 
 /// Root mean square, by the inverse of the covariance (Rasmussen and Williams, eq. 5.12).

@@ -9,7 +9,8 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <vector>
+
+#include "support/json_numbers.hpp"
 
 namespace taut {
 namespace {
@@ -17,12 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 Eigen::MatrixXd matrix_of(const Json& rows) {
-    Eigen::MatrixXd result(std::ssize(rows), std::ssize(rows.at(0)));
-    for (Eigen::Index i = 0; i < result.rows(); ++i) {
-        const auto row = rows.at(i).get<std::vector<double>>();
-        result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), std::ssize(row));
-    }
-    return result;
+    return test::columns_of(rows).transpose();
 }
 
 Eigen::MatrixXd centred(const Eigen::MatrixXd& samples) {
