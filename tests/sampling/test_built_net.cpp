@@ -52,9 +52,7 @@ TEST(BuiltNet, IsTheSameForASeedAndNoSampleOfIt) {
     const CableNet net = hypar(3, 4);
     EXPECT_EQ(deviations(net, 7), deviations(net, 7));
     EXPECT_NE(deviations(net, 7), deviations(net, 8));
-    const Sampler sampler(net, built_prior, 7);
-    DataSet data = sampler.empty();
-    sampler.extend(data, 20);
+    const DataSet data = draw_samples(Sampler(net, built_prior, 7), 20);
     for (const auto& sample : data.length_deviations.colwise()) {
         EXPECT_GT((sample - deviations(net, 7)).norm(), 1e-4);
     }

@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <random>
-#include <set>
 
 namespace {
 
@@ -48,36 +47,6 @@ TEST(DrawLengthDeviations, GivesTheNumbersThatEarlierDataSetsHold) {
     EXPECT_EQ(deviations(0), -0.000819159853374537);
     EXPECT_EQ(deviations(1), -0.0017097866901699332);
     EXPECT_EQ(deviations(2), -0.003441719149049719);
-}
-
-TEST(DrawLengthDeviations, OfALongerNetStartAsThoseOfAShorterOne) {
-    EXPECT_EQ(draw_length_deviations(uniform_5mm, 1, 7, 100).head(10),
-              draw_length_deviations(uniform_5mm, 1, 7, 10));
-}
-
-TEST(DrawLengthDeviations, DiffersBetweenAllSeedsAndSamples) {
-    constexpr std::uint64_t high = std::uint64_t{1} << 32U;
-    std::set<double> firsts;
-    const std::vector<std::uint64_t> numbers{0, 1, 2, 3, high, high + 1, 2 * high, 3 * high};
-    for (const std::uint64_t seed : numbers) {
-        for (const std::uint64_t sample : numbers) {
-            firsts.insert(draw_length_deviations(uniform_5mm, seed, sample, 1)(0));
-        }
-    }
-    EXPECT_EQ(firsts.size(), numbers.size() * numbers.size());
-}
-
-TEST(DrawLengthDeviations, OfNeighbouringSamplesAreNotCorrelated) {
-    constexpr int count = 2000;
-    Eigen::VectorXd products(count);
-    for (int k = 0; k < count; ++k) {
-        products(k) =
-            draw_length_deviations(uniform_5mm, 1, static_cast<std::uint64_t>(k), 1)(0) *
-            draw_length_deviations(uniform_5mm, 1, static_cast<std::uint64_t>(k) + 1, 1)(0);
-    }
-    // The mean of independent products has the standard deviation std^2 / sqrt(count).
-    EXPECT_LT(std::abs(products.mean()),
-              4.0 * uniform_5mm.std() * uniform_5mm.std() / std::sqrt(count));
 }
 
 /// Five samples: the second is not converged, the third a slack mechanism.

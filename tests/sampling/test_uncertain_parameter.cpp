@@ -10,8 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
+#include "support/refusals.hpp"
+#include "support/uncertain.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -19,16 +20,9 @@
 namespace {
 
 using namespace taut;
+using taut::test::refusal_of;
+using taut::test::uncertain;
 using testing::HasSubstr;
-
-std::string refusal_of(const auto& action) {
-    try {
-        static_cast<void>(action());
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "accepted";
-}
 
 TEST(UncertainParameter, IsReadBackAsWritten) {
     for (const std::string text :
@@ -42,34 +36,25 @@ TEST(UncertainParameter, IsReadBackAsWritten) {
     EXPECT_EQ(parse_uncertain_parameter("loads:10N").kind, UncertainParameter::Kind::loads_each);
 }
 
-struct BadUncertainParameter {
-    const char* text;
-    const char* message;
-};
-
-class RefusedUncertainParameter : public testing::TestWithParam<BadUncertainParameter> {};
-
-TEST_P(RefusedUncertainParameter, WithWhatIsWrong) {
-    EXPECT_THAT(refusal_of([] { return parse_uncertain_parameter(GetParam().text); }),
-                AllOf(HasSubstr(GetParam().text), HasSubstr(GetParam().message)));
+TEST(UncertainParameter, IsRefusedWithWhatIsWrong) {
+    for (const auto& [text, message] : {std::pair("wind:5%", "no uncertain parameter"),
+                                        {"stiffness", "has no width"},
+                                        {"stiffness@ridge", "no uncertain parameter"},
+                                        {"stiffness:", "percentage"},
+                                        {"stiffness:5", "percentage"},
+                                        {"stiffness:0%", "positive"},
+                                        {"stiffness:-5%", "positive"},
+                                        {"stiffness:nan%", "percentage"},
+                                        {"stiffness:30%", "width of 30 %"},
+                                        {"stiffness:5%@", "no group"},
+                                        {"temperature:10", "temperature"},
+                                        {"supports:1mm@ridge", "takes no group"},
+                                        {"supports:5%", "length"},
+                                        {"loads:5mm", "force"}}) {
+        EXPECT_THAT(refusal_of([&, text = text] { return parse_uncertain_parameter(text); }),
+                    AllOf(HasSubstr(text), HasSubstr(message)));
+    }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    UncertainParameter, RefusedUncertainParameter,
-    testing::Values(BadUncertainParameter{"wind:5%", "no uncertain parameter"},
-                    BadUncertainParameter{"stiffness", "has no width"},
-                    BadUncertainParameter{"stiffness@ridge", "no uncertain parameter"},
-                    BadUncertainParameter{"stiffness:", "percentage"},
-                    BadUncertainParameter{"stiffness:5", "percentage"},
-                    BadUncertainParameter{"stiffness:0%", "positive"},
-                    BadUncertainParameter{"stiffness:-5%", "positive"},
-                    BadUncertainParameter{"stiffness:nan%", "percentage"},
-                    BadUncertainParameter{"stiffness:30%", "width of 30 %"},
-                    BadUncertainParameter{"stiffness:5%@", "no group"},
-                    BadUncertainParameter{"temperature:10", "temperature"},
-                    BadUncertainParameter{"supports:1mm@ridge", "takes no group"},
-                    BadUncertainParameter{"supports:5%", "length"},
-                    BadUncertainParameter{"loads:5mm", "force"}));
 
 CableNet net_with(const auto& change) {
     CableNetData data = hypar(3, 3).data();
@@ -79,43 +64,24 @@ CableNet net_with(const auto& change) {
 
 TEST(UncertainParameter, IsRefusedWhereTheNetHasNothingOfIt) {
     const CableNet net = net_with([](CableNetData& data) { data.groups["ridge"] = {0, 1}; });
-    const auto refusal = [&net](std::vector<std::string> texts) {
-        std::vector<UncertainParameter> uncertain;
-        for (const std::string& text : texts) {
-            uncertain.push_back(parse_uncertain_parameter(text));
-        }
-        return refusal_of([&] {
-            check_uncertain_parameters(net, uncertain);
-            return 0;
-        });
+    const auto refused = [](const CableNet& of, const std::vector<UncertainParameter>& given,
+                            const char* words) {
+        test::expect_refused([&] { check_uncertain_parameters(of, given); }, words);
     };
-    EXPECT_EQ(refusal({"stiffness:5%", "stiffness:5%@ridge", "supports:1mm", "loads:20N"}),
-              "accepted");
-    EXPECT_THAT(refusal({"stiffness:5%@valley"}), HasSubstr("expected one of ridge"));
-    EXPECT_THAT(refusal({"stiffness:5%", "stiffness:3%"}), HasSubstr("twice"));
-    EXPECT_THAT(refusal({"temperature:10K"}), HasSubstr("no expansion"));
-    EXPECT_THAT(refusal({"loads:10%"}), HasSubstr("the net has none"));
-    EXPECT_THAT(refusal({"adjustable:400mm"}), HasSubstr("third of the shortest"));
-    EXPECT_THAT(refusal({"loads:1000kN"}), HasSubstr("third of the largest axial stiffness"));
+    EXPECT_NO_THROW(check_uncertain_parameters(
+        net, uncertain({"stiffness:5%", "stiffness:5%@ridge", "supports:1mm", "loads:20N"})));
+    refused(net, uncertain({"stiffness:5%@valley"}), "expected one of ridge");
+    refused(net, uncertain({"stiffness:5%", "stiffness:3%"}), "twice");
+    refused(net, uncertain({"temperature:10K"}), "no expansion");
+    refused(net, uncertain({"loads:10%"}), "the net has none");
+    refused(net, uncertain({"adjustable:400mm"}), "third of the shortest");
+    refused(net, uncertain({"supports:2m"}), "third of the shortest");
+    refused(net, uncertain({"loads:1000kN"}), "third of the largest axial stiffness");
     // Made by hand, past the parser.
-    const auto by_hand = [&net](const UncertainParameter& parameter) {
-        return refusal_of([&] {
-            check_uncertain_parameters(net, {parameter});
-            return 0;
-        });
-    };
-    EXPECT_THAT(by_hand({UncertainParameter::Kind::adjustable, 0.0, ""}),
-                HasSubstr("no positive width"));
-    EXPECT_THAT(by_hand({UncertainParameter::Kind::supports, 1e-3, "ridge"}),
-                HasSubstr("takes no group"));
-    EXPECT_THAT(refusal({"supports:2m"}), HasSubstr("third of the shortest"));
+    refused(net, {{UncertainParameter::Kind::adjustable, 0.0, ""}}, "no positive width");
+    refused(net, {{UncertainParameter::Kind::supports, 1e-3, "ridge"}}, "takes no group");
     const CableNet fixed = net_with([](CableNetData& data) { data.adjustable.clear(); });
-    EXPECT_THAT(refusal_of([&] {
-                    check_uncertain_parameters(fixed,
-                                               {parse_uncertain_parameter("adjustable:1mm")});
-                    return 0;
-                }),
-                HasSubstr("adjustable edges"));
+    refused(fixed, uncertain({"adjustable:1mm"}), "adjustable edges");
 }
 
 TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
@@ -128,8 +94,7 @@ TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
     const CableNet net(data);
     EXPECT_EQ(std_of(with_site_assumptions(net, {}), UncertainParameter::Kind::loads), 0.05);
     EXPECT_EQ(
-        to_string(with_site_assumptions(net, {parse_uncertain_parameter("loads:20N"),
-                                              parse_uncertain_parameter("stiffness:10%@ridge")})),
+        to_string(with_site_assumptions(net, uncertain({"loads:20N", "stiffness:10%@ridge"}))),
         "loads:20N, stiffness:10%@ridge, stiffness-each:2%, temperature:5K, "
         "adjustable:0.5mm, supports:1mm");
     // With edges of 4 mm the assumptions are narrower.
@@ -188,8 +153,7 @@ TEST(ModelPerturbation, OfLoadsLeaveTheWeightOfAnUncertainMass) {
         data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
         data.mass = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 0.3);
     });
-    const ModelPerturbation c = draw_perturbation(
-        net, {parse_uncertain_parameter("loads:10%"), parse_uncertain_parameter("mass:3%")}, 0, 1);
+    const ModelPerturbation c = draw_perturbation(net, uncertain({"loads:10%", "mass:3%"}), 0, 1);
     const Points weight = net.loads() - net.data().loads;
     const Points expected = (1.0 + c.loads) * net.data().loads + (1.0 + c.sag) * weight;
     EXPECT_TRUE(net_under(net, c, net.unstressed_lengths()).loads().isApprox(expected, 1e-12));
@@ -201,14 +165,12 @@ TEST(ModelPerturbation, AreDrawnWithTheGivenWidths) {
         data.expansion =
             Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 1e-5);
     });
-    const std::vector<UncertainParameter> uncertain{
-        parse_uncertain_parameter("stiffness:5%"), parse_uncertain_parameter("temperature:10K"),
-        parse_uncertain_parameter("supports:1mm"), parse_uncertain_parameter("adjustable:0.5mm"),
-        parse_uncertain_parameter("loads:10%"),    parse_uncertain_parameter("loads:20N")};
+    const auto given = uncertain({"stiffness:5%", "temperature:10K", "supports:1mm",
+                                  "adjustable:0.5mm", "loads:10%", "loads:20N"});
     constexpr int count = 2000;
     double squares[6] = {};
     for (int k = 0; k < count; ++k) {
-        const ModelPerturbation c = draw_perturbation(net, uncertain, 1, k);
+        const ModelPerturbation c = draw_perturbation(net, given, 1, k);
         const double values[6] = {c.stiffness(0) / 0.05,
                                   c.thermal(0) / 1e-4,
                                   c.supports(1, net.supports()[0]) / 1e-3,
@@ -224,9 +186,9 @@ TEST(ModelPerturbation, AreDrawnWithTheGivenWidths) {
     for (const double square : squares) {
         EXPECT_NEAR(square, 1.0, 5.0 * std::sqrt(2.0 / count));
     }
-    const ModelPerturbation again = draw_perturbation(net, uncertain, 1, 7);
-    EXPECT_EQ(again.supports, draw_perturbation(net, uncertain, 1, 7).supports);
-    EXPECT_NE(again.loads, draw_perturbation(net, uncertain, 2, 7).loads);
+    const ModelPerturbation again = draw_perturbation(net, given, 1, 7);
+    EXPECT_EQ(again.supports, draw_perturbation(net, given, 1, 7).supports);
+    EXPECT_NE(again.loads, draw_perturbation(net, given, 2, 7).loads);
 }
 
 }  // namespace
