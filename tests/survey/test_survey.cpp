@@ -16,6 +16,7 @@
 #include <string>
 
 #include "survey/mean_edge_length.hpp"
+#include "survey/survey_errors.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace {
@@ -42,14 +43,8 @@ CableNet named_net() {
     return CableNet(content);
 }
 
-/// The error with which points are refused; line -1 where they are not.
 SurveyError survey_error(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    try {
-        (void)match_to_nodes(net, points);
-    } catch (const SurveyError& error) {
-        return error;
-    }
-    return {-1, "not refused"};
+    return test::survey_error_of([&] { return match_to_nodes(net, points); });
 }
 
 class MatchToNodes : public testing::Test {
@@ -126,26 +121,23 @@ TEST_F(MatchToNodes, RefusesPositionsThatAreNotFinite) {
     }
 }
 
-TEST_F(MatchToNodes, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
-    const double limit = mean_edge_length(m_net);
-    at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 0.99 * limit);
-    EXPECT_EQ(survey_error(m_net, m_points).line(), -1);
-    at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 1.01 * limit);
-    const SurveyError error = survey_error(m_net, m_points);
-    EXPECT_EQ(error.line(), 10 + m_free);
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("node '" + std::to_string(m_free) + "'"),
-                                    HasSubstr("expected at most")));
-}
-
-TEST_F(MatchToNodes, RefusesASupportThatMovedByATenthOfTheMeanEdgeLength) {
-    const double limit = 0.1 * mean_edge_length(m_net);
-    at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(0.99 * limit, 0.0, 0.0);
-    EXPECT_EQ(survey_error(m_net, m_points).line(), -1);
-    at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(1.01 * limit, 0.0, 0.0);
-    const SurveyError error = survey_error(m_net, m_points);
-    EXPECT_EQ(error.line(), 10 + m_support);
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("support '" + std::to_string(m_support) + "'"),
-                                    HasSubstr("in its frame")));
+// A free node may be off by the mean length of an edge, a support by a tenth of it.
+TEST_F(MatchToNodes, RefusesPointsFarFromTheirNodes) {
+    for (const auto& [name, node, part, words] :
+         {std::tuple("node '", m_free, 1.0, "expected at most"),
+          {"support '", m_support, 0.1, "in its frame"}}) {
+        SCOPED_TRACE(name);
+        const double limit = part * mean_edge_length(m_net);
+        const Eigen::Vector3d place = m_net.nodes().col(node);
+        at(node).position = place + Eigen::Vector3d(0.0, 0.0, 0.99 * limit);
+        EXPECT_EQ(survey_error(m_net, m_points).line(), -1);
+        at(node).position = place + Eigen::Vector3d(0.0, 0.0, 1.01 * limit);
+        const SurveyError error = survey_error(m_net, m_points);
+        EXPECT_EQ(error.line(), 10 + node);
+        EXPECT_THAT(error.what(),
+                    AllOf(HasSubstr(name + std::to_string(node) + "'"), HasSubstr(words)));
+        at(node).position = place;
+    }
 }
 
 TEST(Survey, RefusesCorrelationsOfANodeThatIsNotThere) {
@@ -174,17 +166,13 @@ protected:
         m_survey.supports.front().noise_std.setConstant(1e-3);
     }
 
-    /// @return what check_survey() says of the survey changed so
+    /// Expects check_survey() to refuse the survey changed so.
     template <class Change>
-    std::string refusal(const Change& change) const {
+    void refused(const Change& change, const char* words) const {
         Survey survey = m_survey;
         change(survey);
-        try {
-            check_survey(m_net, survey);
-        } catch (const SurveyError& error) {
-            return error.what();
-        }
-        return "";
+        const SurveyError error = test::survey_error_of([&] { check_survey(m_net, survey); });
+        EXPECT_THAT(error.what(), HasSubstr(words));
     }
 
     CableNet m_net = hypar(3, 3);
@@ -194,22 +182,24 @@ protected:
 TEST_F(SurveyByHand, IsCheckedInAllItsParts) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const int target = m_survey.surveyed.front();
-    EXPECT_EQ(refusal([](Survey&) {}), "");
-    EXPECT_THAT(refusal([&](Survey& s) { s.form(0, target) = 1e300; }), HasSubstr("1e+300 m"));
-    EXPECT_THAT(refusal([](Survey& s) { s.supports[0].node = 100'000; }), HasSubstr("100000"));
-    EXPECT_THAT(refusal([](Survey& s) { s.supports[0].node = -1; }), HasSubstr("-1"));
-    EXPECT_THAT(refusal([&](Survey& s) { s.supports[0].node = target; }),
-                HasSubstr("among the supports"));
-    EXPECT_THAT(refusal([](Survey& s) { s.supports.push_back(s.supports[0]); }),
-                HasSubstr("ascending"));
-    EXPECT_THAT(refusal([&](Survey& s) { s.supports[0].position.x() = nan; }),
-                HasSubstr("not finite"));
-    EXPECT_THAT(refusal([&](Survey& s) { s.supports[0].noise_std.y() = nan; }),
-                HasSubstr("standard deviations"));
-    EXPECT_THAT(refusal([](Survey& s) { s.supports[0].noise_correlations.setConstant(2.0); }),
-                HasSubstr("correlations"));
-    EXPECT_THAT(refusal([&](Survey& s) { s.scale_std = nan; }), HasSubstr("scale_std"));
-    EXPECT_THAT(refusal([](Survey& s) { s.rounding_std = -1.0; }), HasSubstr("rounding_std"));
+    EXPECT_NO_THROW(check_survey(m_net, m_survey));
+    refused([&](Survey& s) { s.form(0, target) = 1e300; }, "1e+300 m");
+    refused([&](Survey& s) { s.form(2, target) = nan; }, "not finite");
+    refused([](Survey& s) { s.form = Points::Zero(3, 2); }, "form has 2 columns");
+    refused([](Survey& s) { s.noise_std = Points::Zero(3, 2); }, "noise_std has 2 columns");
+    refused([&](Survey& s) { s.noise_std(1, target) = -2e-3; },
+            "standard deviations of 0.001, -0.002 and 0.001");
+    refused([](Survey& s) { s.surveyed[5] = s.surveyed[4]; }, "ascending order");
+    refused([](Survey& s) { s.surveyed.clear(); }, "no free node");
+    refused([](Survey& s) { s.supports[0].node = 100'000; }, "100000");
+    refused([](Survey& s) { s.supports[0].node = -1; }, "-1");
+    refused([&](Survey& s) { s.supports[0].node = target; }, "among the supports");
+    refused([](Survey& s) { s.supports.push_back(s.supports[0]); }, "ascending");
+    refused([&](Survey& s) { s.supports[0].position.x() = nan; }, "not finite");
+    refused([&](Survey& s) { s.supports[0].noise_std.y() = nan; }, "standard deviations");
+    refused([](Survey& s) { s.supports[0].noise_correlations.setConstant(2.0); }, "correlations");
+    refused([&](Survey& s) { s.scale_std = nan; }, "scale_std");
+    refused([](Survey& s) { s.rounding_std = -1.0; }, "rounding_std");
 }
 
 TEST_F(SurveyByHand, IsScaledInItsNoiseByPositiveFactorsAlone) {
