@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <limits>
 
 #include "estimation/hypotheses.hpp"
 #include "identification/mean_function.hpp"
@@ -27,9 +26,7 @@ constexpr double no_test = 0.0;
 class FormConditioning : public ::testing::Test {
 protected:
     static LengthModel model_of(const CableNet& net) {
-        const Sampler sampler(net, {LengthPrior::Kind::uniform, 0.002}, 1);
-        DataSet data = sampler.empty();
-        sampler.extend(data, 60);
+        const DataSet data = draw_samples(Sampler(net, {LengthPrior::Kind::uniform, 0.002}, 1), 60);
         return train(net, data, data.converged_in(0, 60));
     }
 
@@ -50,9 +47,7 @@ protected:
 
 TEST_F(FormConditioning, BeforeASurveyIsThePriorThroughTheStaticsAndWhatTheseMiss) {
     // Mean and covariance of many forms that were not trained on.
-    const Sampler sampler(m_net, m_model.prior, 77);
-    DataSet data = sampler.empty();
-    sampler.extend(data, 4000);
+    const DataSet data = draw_samples(Sampler(m_net, m_model.prior, 77), 4000);
     const Eigen::VectorXd mean = data.form_deviations.rowwise().mean();
     const Eigen::MatrixXd centred = data.form_deviations.colwise() - mean;
     const Eigen::MatrixXd covariance = centred * centred.transpose() / 3999.0;

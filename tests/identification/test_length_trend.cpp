@@ -39,14 +39,9 @@ Coverage coverage(const CableNet& net, const CableNet& given, const IdentifyOpti
             test::simulate(net, *options.prior, 5e-4, static_cast<std::uint64_t>(seed),
                            [&](Eigen::VectorXd& d) { alter(d, static_cast<unsigned>(seed)); });
         const Identification found = identify(given, s.survey, options);
-        const Eigen::VectorXd tension =
-            tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
         result.lengths += test::coverage(found, s.deviations) / surveys;
         drawn += found.drawn.tensions.size();
-        for (const DrawnTension& one : found.drawn.tensions) {
-            const double truth = tension(one.edge);
-            result.tensions += one.tension.lower <= truth && truth <= one.tension.upper ? 1 : 0;
-        }
+        result.tensions += test::tensions_held(found, test::true_tensions(net, s));
         const CommonDeviation& common = found.prior.common;
         result.mean_error += std::pow((common.mean - mean) / common.mean_std, 2);
     }
@@ -82,9 +77,9 @@ TEST(LengthTrend, IntervalsHoldWhereAllTurnbucklesAreOffByTheSame) {
     }
     const auto as_cut = [](Eigen::VectorXd&, unsigned) {};
     for (const double width : {2e-3, 6e-3}) {  // the wider hides it from the survey, (considered)
-        IdentifyOptions options{.prior = LengthPrior{LengthPrior::Kind::uniform, width},
-                                .draws = 100};
-        options.assume_site = true;
+        const IdentifyOptions options{.prior = LengthPrior{LengthPrior::Kind::uniform, width},
+                                      .assume_site = true,
+                                      .draws = 100};
         const Coverage with = coverage(CableNet(data), net, options, 0.0, as_cut);
         EXPECT_GT(with.lengths, 0.90) << width;
         EXPECT_GT(with.tensions, 0.90) << width;

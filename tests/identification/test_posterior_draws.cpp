@@ -7,17 +7,16 @@
 
 #include "taut/identification/posterior_draws.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "identification/simulated_survey.hpp"
+#include "support/json_numbers.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/statics/energy.hpp"
@@ -27,21 +26,8 @@ namespace {
 
 using namespace taut;
 using Json = nlohmann::json;
-
-Points points_of(const Json& json) {
-    Points points(3, static_cast<Eigen::Index>(json.size()));
-    for (size_t i = 0; i < json.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            points(k, static_cast<Eigen::Index>(i)) = json[i][k];
-        }
-    }
-    return points;
-}
-
-Eigen::VectorXd vector_of(const Json& json) {
-    const auto values = json.get<std::vector<double>>();
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
-}
+using test::points_of;
+using test::vector_of;
 
 /// A net and survey of the reference, and the results of its chains.
 struct Reference {
@@ -52,13 +38,8 @@ struct Reference {
     bool prior_exact = false;
 
     explicit Reference(const Json& of) : json(of), net(net_of(of)) {
-        const auto hidden = of.at("hidden").get<std::vector<int>>();
+        survey = test::planned_survey(net, of.at("noise"), of.at("hidden").get<std::set<int>>());
         survey.form = points_of(of.at("survey"));
-        survey.noise_std = Points::Constant(3, net.node_count(), of.at("noise"));
-        for (const int node : net.free_nodes()) {
-            const bool is_hidden = std::ranges::find(hidden, node) != hidden.end();
-            (is_hidden ? survey.missing : survey.surveyed).push_back(node);
-        }
         prior_exact = of.contains("bound");
         const Json& bound = prior_exact ? of.at("bound") : of.at("given");
         if (!bound.is_null()) {
@@ -195,17 +176,10 @@ TEST(PosteriorDraws, ShowHowLittleIsKnownOfWhatIsSlack) {
         const Identification found =
             identify(net, s.survey, {.prior = prior, .prior_exact = true, .draws = 200});
         ASSERT_EQ(found.draws.value().reason, "") << seed;
-        const Eigen::VectorXd truth =
-            tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
-        const auto holds = [](const DrawnEstimate& estimate, double value) {
-            return estimate.lower <= value && value <= estimate.upper ? 1 : 0;
-        };
-        for (int e = 0; e < net.edge_count(); ++e) {
-            tensions_inside +=
-                holds(found.drawn.tensions[static_cast<size_t>(e)].tension, truth(e));
-        }
+        const Eigen::VectorXd truth = test::true_tensions(net, s);
+        tensions_inside += test::tensions_held(found, truth);
         const DrawnEstimate& mean = found.drawn.mean_tension;
-        means_inside += holds(mean, mean_weights(net).dot(truth));
+        means_inside += test::holds(mean, mean_weights(net).dot(truth)) ? 1 : 0;
         EXPECT_GT(mean.upper - mean.lower, 0.4 * mean.mean) << seed;
         lengths += test::coverage(found, s.deviations) / surveys;
     }
@@ -220,8 +194,7 @@ TEST(PosteriorDraws, KeepCablesTautThatWereSeenToBe) {
     const auto s = test::simulate(net, prior, 5e-4, 0);
     IdentifyOptions options{.prior = prior, .prior_exact = true, .draws = 100};
     const Identification unmarked = identify(net, s.survey, options);
-    const Eigen::VectorXd truth =
-        tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+    const Eigen::VectorXd truth = test::true_tensions(net, s);
     for (const int edge : net.interior_edges()) {
         const double slack = unmarked.drawn.tensions[static_cast<size_t>(edge)].slack_probability;
         if (truth(edge) > 0.0 && slack > 0.1 && options.forces.taut.size() < 5) {
@@ -258,14 +231,7 @@ TEST(PosteriorDraws, FollowTensionLawsThatBend) {
         identify(net, s.survey, {.prior = prior, .assume_site = true, .draws = 60});
     ASSERT_EQ(found.draws.value().reason, "");
     EXPECT_TRUE(found.draws->is_refitted);
-    const Eigen::VectorXd truth =
-        tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
-    int inside = 0;
-    for (Eigen::Index e = 0; e < truth.size(); ++e) {
-        const DrawnEstimate& tension = found.drawn.tensions[static_cast<size_t>(e)].tension;
-        inside += tension.lower <= truth(e) && truth(e) <= tension.upper ? 1 : 0;
-    }
-    EXPECT_GE(inside, 0.85 * static_cast<double>(truth.size()));
+    EXPECT_GE(test::tensions_held(found, test::true_tensions(net, s)), 0.85 * net.edge_count());
     EXPECT_GE(test::coverage(found, s.deviations), 0.9);
 }
 

@@ -13,6 +13,7 @@
 
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/simulated_survey.hpp"
+#include "support/finite_differences.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace {
@@ -41,30 +42,18 @@ std::set<int> region(const CableNet& net, int centre, int edges) {
 
 /// (J' S J + I / prior.std()^2)^-1, with J from differences of equilibria.
 Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
-    constexpr double step = 1e-5;
     const Eigen::Index count = net.interior_edge_count();
-    Eigen::MatrixXd jacobian(3 * static_cast<Eigen::Index>(survey.surveyed.size()), count);
     EquilibriumSolver solver(net);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto form = [&](double change) -> Points {
-            const Eigen::VectorXd deviations = change * Eigen::VectorXd::Unit(count, i);
-            return solver.solve(with_length_deviations(net, deviations), net.nodes()).form;
-        };
-        const Points rate = (form(step) - form(-step)) / (2.0 * step);
-        jacobian.col(i) = rate(Eigen::all, survey.surveyed).reshaped();
-    }
+    const auto seen = [&](const Eigen::VectorXd& deviations) -> Eigen::VectorXd {
+        const Points form = solver.solve(with_length_deviations(net, deviations), net.nodes()).form;
+        return form(Eigen::all, survey.surveyed).reshaped();
+    };
+    const Eigen::MatrixXd jacobian =
+        test::finite_differences(seen, Eigen::VectorXd::Zero(count), 1e-5);
     const Eigen::MatrixXd precision =
         jacobian.transpose() * jacobian / (noise_std * noise_std) +
         Eigen::MatrixXd::Identity(count, count) / (prior.std() * prior.std());
     return precision.inverse().diagonal().cwiseSqrt();
-}
-
-Eigen::VectorXd stds(const PredictedPrecision& precision) {
-    Eigen::VectorXd result(precision.edges.size());
-    for (size_t i = 0; i < precision.edges.size(); ++i) {
-        result(static_cast<Eigen::Index>(i)) = precision.edges[i].std;
-    }
-    return result;
 }
 
 TEST(PredictedPrecision, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
@@ -76,7 +65,8 @@ TEST(PredictedPrecision, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
         const Survey survey = test::planned_survey(net, noise_std, hidden);
         const PredictedPrecision precision = predicted_precision(net, form, survey, normal_3mm);
         const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
-        EXPECT_LT((stds(precision) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
+        const Eigen::VectorXd stds = test::of_edges(precision.edges, &EdgePrecision::std);
+        EXPECT_LT((stds - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
         for (size_t i = 0; i < precision.edges.size(); ++i) {
             EXPECT_EQ(precision.edges[i].status,
                       status_of(normal_3mm.std(), expected(static_cast<Eigen::Index>(i))))
@@ -99,12 +89,8 @@ TEST(PredictedPrecision, IsWhatIdentificationsThenGive) {
         }
         const PredictedPrecision precision = predicted_precision(net, form, s.survey, prior);
         const Identification then = identify_by_maximum_a_posteriori(net, s.survey, prior);
-        double squares = 0.0;
-        for (const IdentifiedEdge& e : then.edges) {
-            squares += e.std * e.std;
-        }
-        EXPECT_NEAR(precision.rms_std(),
-                    std::sqrt(squares / static_cast<double>(then.edges.size())),
+        const Eigen::VectorXd stds = test::of_edges(then.edges, &IdentifiedEdge::std);
+        EXPECT_NEAR(precision.rms_std(), std::sqrt(stds.cwiseAbs2().mean()),
                     0.03 * precision.rms_std());
         const auto open = static_cast<double>(
             std::ranges::count(then.edges, EdgeStatus::not_determined, &IdentifiedEdge::status));

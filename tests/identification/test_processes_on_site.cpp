@@ -5,9 +5,6 @@
 // it, and gross errors that spoil the rest.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "identification/processes.hpp"
 #include "simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -23,11 +20,9 @@ constexpr LengthPrior uniform_prior{LengthPrior::Kind::uniform, 0.003};
 constexpr LengthPrior gaussian_prior{LengthPrior::Kind::normal, 0.0015};
 
 LengthModel model_of(const CableNet& net, const LengthPrior& prior,
-                     const TrainingSettings& settings = {}) {
-    const Sampler sampler(net, prior, 1);
-    DataSet data = sampler.empty();
-    sampler.extend(data, 300);
-    return train(net, data, data.converged_in(0, 300), settings);
+                     const TrainingSettings& settings = {}, int samples = 300) {
+    const DataSet data = draw_samples(Sampler(net, prior, 1), samples);
+    return train(net, data, data.converged_in(0, samples), settings);
 }
 
 struct Score {
@@ -46,12 +41,9 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
             test::hide(net, s.survey, net.free_nodes()[5 * h + k % 5]);
         }
         const Identification found = identify_by_processes(net, model, s.survey);
-        const double weight = 1.0 / (surveys * net.interior_edge_count());
-        for (size_t i = 0; i < found.edges.size(); ++i) {
-            const IdentifiedEdge& e = found.edges[i];
-            const double truth = s.deviations(static_cast<Eigen::Index>(i));
-            sum.mse += weight * std::pow(e.length_deviation - truth, 2);
-            sum.coverage += e.lower <= truth && truth <= e.upper ? weight : 0.0;
+        sum.mse += test::squared_error(found, s.deviations) / surveys;
+        sum.coverage += test::coverage(found, s.deviations) / surveys;
+        for (const IdentifiedEdge& e : found.edges) {
             if (model.prior.kind == LengthPrior::Kind::uniform) {
                 EXPECT_GE(e.lower, -model.prior.scale);
                 EXPECT_LE(e.upper, model.prior.scale);
@@ -86,10 +78,7 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
 TEST(ProcessesOnSite, IntervalsAllButHoldWithFewSamplesAndLittleNoise) {
     // 75 coordinates: the samples alone leave most directions of the remainder unobserved.
     const CableNet net = hypar(5, 5);
-    const Sampler sampler(net, uniform_prior, 1);
-    DataSet data = sampler.empty();
-    sampler.extend(data, 40);
-    const LengthModel model = train(net, data, data.converged_in(0, 40));
+    const LengthModel model = model_of(net, uniform_prior, {}, 40);
     for (const double noise : {0.00001, 0.00003, 0.0001}) {
         const Score s = score(net, model, noise, 30);
         SCOPED_TRACE("noise " + std::to_string(noise));

@@ -5,7 +5,6 @@
 // taken for taut, sound targets taken for gross errors, gross errors that lead the search astray,
 // and steps lost in rounding errors. Seeds are fixed.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

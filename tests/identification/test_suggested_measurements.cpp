@@ -14,6 +14,7 @@
 #include <functional>
 
 #include "identification/simulated_survey.hpp"
+#include "support/finite_differences.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -22,17 +23,10 @@
 namespace {
 
 using namespace taut;
+using test::uncertain;
 
 constexpr double suggest_noise_std = 0.5e-3;
 constexpr LengthPrior suggest_prior{LengthPrior::Kind::normal, 0.002};
-
-std::vector<UncertainParameter> uncertain(std::initializer_list<const char*> texts) {
-    std::vector<UncertainParameter> result;
-    for (const char* text : texts) {
-        result.push_back(parse_uncertain_parameter(text));
-    }
-    return result;
-}
 
 /// The normal posterior of lengths, a factor of all stiffnesses (5 %), an error of all load cells
 /// (1 %) and one of the load (2 %), by differences of equilibria.
@@ -101,18 +95,8 @@ private:
     }
     [[nodiscard]] Eigen::MatrixXd rates(
         const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& f) const {
-        const Eigen::Index count = m_net.interior_edge_count() + 3;
-        constexpr double step = 1e-5;
-        std::vector<Eigen::VectorXd> columns;
-        for (Eigen::Index k = 0; k < count; ++k) {
-            const Eigen::VectorXd change = step * Eigen::VectorXd::Unit(count, k);
-            columns.emplace_back((f(change) - f(-change)) / (2.0 * step));
-        }
-        Eigen::MatrixXd result(columns.front().size(), count);
-        for (Eigen::Index k = 0; k < count; ++k) {
-            result.col(k) = columns[static_cast<size_t>(k)];
-        }
-        return result;
+        return test::finite_differences(f, Eigen::VectorXd::Zero(m_net.interior_edge_count() + 3),
+                                        1e-5);
     }
 
     const CableNet& m_net;

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against force measurements that are not used, or used though all else contradicts them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "identification/uncertain_nets.hpp"
+#include "taut/identification/predicted_precision.hpp"
+
+namespace of_forces {
+
+class ForceMeasurements : public testing::Test {
+protected:
+    [[nodiscard]] Identification found(const Forces& forces, int draws = 200) const {
+        IdentifyOptions options = options_with({}, draws);
+        options.forces = forces;
+        return identify(m_net, m_truth.simulated.survey, options);
+    }
+    [[nodiscard]] ForceMeasurement measured(int edge, double part) const {
+        return {
+            .edge = edge, .tension = m_truth.tensions(edge), .std = part * m_truth.tensions(edge)};
+    }
+
+    const CableNet m_net = hypar(6, 6);
+    const Built m_truth = built(m_net, {}, 6);
+};
+
+// Ten cells of one calibration that is 8 % off: each is exact to 0.5 % besides.
+TEST_F(ForceMeasurements, ThatShareAnErrorDoNotMakeTensionsSurerThanIt) {
+    Forces forces;
+    for (int edge = 1; edge < m_net.edge_count(); edge += 6) {
+        forces.measurements.push_back(measured(edge, 0.005));
+        forces.measurements.back().tension *= 1.08;
+    }
+    IdentifyOptions options = options_with(uncertain({"stiffness:5%"}), 200);
+    options.forces = forces;
+    const auto is_inside = [&](const Identification& result) {
+        return holds(result.drawn.mean_tension, m_truth.tensions.mean());
+    };
+    const Identification exact = identify(m_net, m_truth.simulated.survey, options);
+    options.uncertain.push_back(parse_uncertain_parameter("forces:5%"));
+    const Identification found = identify(m_net, m_truth.simulated.survey, options);
+    ASSERT_FALSE(found.drawn.tensions.empty());
+    EXPECT_TRUE(is_inside(found));
+    EXPECT_FALSE(!exact.drawn.tensions.empty() && is_inside(exact));
+    EXPECT_EQ(found.uncertain.back().parameter.name(), "forces");
+    EXPECT_GT(found.uncertain.back().mean, 0.0);
+}
+
+TEST_F(ForceMeasurements, AreUsedWithTheirStandardDeviation) {
+    const Identification without = found({});
+    const Forces forces{
+        .measurements = {measured(3, 0.001), measured(30, 0.001)}, .taut = {}, .slack = {}};
+    const Identification with = found(forces);
+    ASSERT_FALSE(with.drawn.tensions.empty());
+    EXPECT_EQ(with.force_measurements, 2);
+    EXPECT_TRUE(with.force_outliers.empty());
+    for (const ForceMeasurement& force : forces.measurements) {
+        const DrawnEstimate& before = without.drawn.tensions[force.edge].tension;
+        const DrawnEstimate& after = with.drawn.tensions[force.edge].tension;
+        EXPECT_NEAR(after.mean, force.tension, 4.0 * force.std);
+        EXPECT_LT(after.std, 2.0 * force.std);
+        EXPECT_GT(before.std, 10.0 * force.std);
+    }
+    EXPECT_LT(with.drawn.mean_tension.std, without.drawn.mean_tension.std);
+}
+
+TEST_F(ForceMeasurements, AddWhatIsPredicted) {
+    Forces forces{.measurements = {measured(3, 0.02), measured(30, 0.02), measured(50, 0.02)},
+                  .taut = {},
+                  .slack = {}};
+    const PredictedPrecision precision = predicted_precision(
+        m_net, solve_equilibrium(m_net).form, m_truth.simulated.survey, prior, forces);
+    const Identification then = found(forces);
+    EXPECT_NEAR(precision.mean_tension_std, then.drawn.mean_tension.std,
+                0.25 * then.drawn.mean_tension.std);
+    // And the next best edge holds what it promises, at the design.
+    const TensionPrecision& best = precision.force_candidates.front();
+    forces.measurements.push_back(
+        {.edge = best.edge, .tension = best.tension, .std = 0.02 * best.tension});
+    const PredictedPrecision next = predicted_precision(m_net, solve_equilibrium(m_net).form,
+                                                        m_truth.simulated.survey, prior, forces);
+    EXPECT_NEAR(next.mean_tension_std, best.mean_std_if_measured, 1e-6 * best.mean_std_if_measured);
+    EXPECT_LT(next.mean_tension_std, precision.mean_tension_std);
+}
+
+TEST_F(ForceMeasurements, ThatContradictAllElseAreLeftOutAndNamed) {
+    Forces forces;
+    for (int edge = 0; edge < m_net.edge_count(); edge += 6) {
+        forces.measurements.push_back(measured(edge, 0.01));
+    }
+    const Identification sound = found(forces, 0);
+    EXPECT_TRUE(sound.force_outliers.empty());
+    forces.measurements[4].tension *= 3.0;
+    const Identification mended = found(forces, 0);
+    ASSERT_EQ(mended.force_outliers.size(), 1U);
+    EXPECT_EQ(mended.force_outliers[0].edge, forces.measurements[4].edge);
+    EXPECT_NEAR(mended.force_outliers[0].expected, m_truth.tensions(forces.measurements[4].edge),
+                0.5 * m_truth.tensions(forces.measurements[4].edge));
+    EXPECT_TRUE(mended.outliers.empty());  // no false alarm
+}
+
+// As of cells in another unit, or with one calibration for all: none stands out by itself.
+TEST(ForceBias, IsFoundFromTheSizeThatIsNamed) {
+    const CableNet net = loaded_net();
+    const auto given = uncertain({"stiffness:5%"});
+    constexpr double relative_std = 0.02;
+    constexpr int surveys = 40;
+    const auto identified = [&](std::uint64_t seed, double off) {
+        const Built truth = built(net, given, seed);
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal(1.0 + off, relative_std);
+        IdentifyOptions options = options_with(given);
+        for (const int edge : {3, 9, 14, 20, 27}) {
+            const double tension = truth.tensions(edge) * normal(random);
+            options.forces.measurements.push_back(
+                {.edge = edge, .tension = tension, .std = relative_std * tension});
+        }
+        return identify(net, truth.simulated.survey, options);
+    };
+    const double size = identified(1, 0.0).detectable.force_scale;
+    ASSERT_LT(size, 1.0);
+    int found = 0;
+    int false_alarms = 0;
+    for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
+        found += identified(seed, size).force_bias ? 1 : 0;
+        false_alarms += identified(seed, 0.0).force_bias ? 1 : 0;
+    }
+    EXPECT_LE(false_alarms, 2);
+    EXPECT_NEAR(found, 0.8 * surveys, 0.2 * surveys);
+}
+
+TEST_F(ForceMeasurements, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
+    for (const double factor : {0.1, 0.7, 1.3}) {
+        Forces forces;
+        for (int edge = 0; edge < m_net.edge_count(); edge += 4) {
+            forces.measurements.push_back(measured(edge, 0.02));
+            forces.measurements.back().tension *= factor;
+            forces.measurements.back().std *= factor;
+        }
+        const Identification result = found(forces, 100);
+        ASSERT_TRUE(result.force_bias) << factor;
+        EXPECT_EQ(result.force_outliers.size(), forces.measurements.size());
+        EXPECT_TRUE(result.outliers.empty());
+        // Linearised, so for a small bias only: true tensions are 1 - part times those measured.
+        if (factor > 0.5) {
+            EXPECT_NEAR(1.0 - result.force_bias->part, 1.0 / factor, 5.0 * result.force_bias->std);
+        }
+        EXPECT_NEAR(result.drawn.mean_tension.mean, m_truth.tensions.mean(),
+                    4.0 * result.drawn.mean_tension.std);
+    }
+}
+
+TEST_F(ForceMeasurements, AreRefusedByMethodsThatDoNotUseThem) {
+    constexpr auto balance = IdentificationMethod::balance;
+    const Forces one{.measurements = {measured(3, 0.02)}};
+    const Forces twice{.measurements = {measured(3, 0.02), measured(3, 0.02)}};
+    for (const IdentifyOptions& options :
+         {IdentifyOptions{.method = balance, .prior = prior, .forces = one},
+          IdentifyOptions{
+              .method = balance, .prior = prior, .uncertain = uncertain({"supports:1mm"})},
+          IdentifyOptions{.prior = prior, .forces = twice}}) {
+        EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options),
+                     std::invalid_argument);
+    }
+}
+
+// What was seen of a net that stretches by less than its lengths deviate.
+TEST(Seen, TautAndSlackEdgesAreKeptTo) {
+    const CableNet net = stiffened(hypar(6, 6), 10.0);
+    const SimulatedSurvey s = simulate(net, prior, noise, 8);
+    const Eigen::VectorXd tension = true_tensions(net, s);
+    IdentifyOptions options = options_with({});
+    for (const int edge : net.interior_edges()) {
+        (tension(edge) > 0.0 ? options.forces.taut : options.forces.slack).push_back(edge);
+    }
+    ASSERT_GT(options.forces.slack.size(), 0U);
+    const Identification found = identify(net, s.survey, options);
+    ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+    EXPECT_TRUE(found.contradicted_taut.empty());
+    EXPECT_TRUE(found.contradicted_slack.empty());
+    for (size_t i = 0; i < found.edges.size(); ++i) {
+        EXPECT_EQ(found.edges[i].status == EdgeStatus::slack, tension(found.edges[i].edge) <= 0.0);
+    }
+}
+
+TEST(Seen, WhatTheSurveyContradictsIsNamedAndNotUsed) {
+    const CableNet net = hypar(6, 6);  // stretches by more than its lengths deviate: all are taut
+    const Built truth = built(net, {}, 9);
+    const Identification without = identify(net, truth.simulated.survey, options_with({}));
+    IdentifyOptions options = options_with({});
+    options.forces.slack = {net.interior_edges()[20]};
+    const Identification with = identify(net, truth.simulated.survey, options);
+    EXPECT_THAT(with.contradicted_slack, testing::ElementsAre(net.interior_edges()[20]));
+    EXPECT_TRUE(with.outliers.empty());
+    for (size_t i = 0; i < with.edges.size(); ++i) {
+        EXPECT_EQ(with.edges[i].length_deviation, without.edges[i].length_deviation);
+    }
+    // One cable hangs by far, and is marked taut.
+    const int hanging = net.interior_edges()[20];
+    Eigen::VectorXd lengths = with_length_deviations(net, truth.simulated.deviations);
+    lengths(hanging) += 0.03;
+    Survey survey = truth.simulated.survey;
+    survey.form += EquilibriumSolver(net).solve(lengths, truth.simulated.truth.form).form -
+                   truth.simulated.truth.form;
+    options = options_with({});
+    options.prior = LengthPrior{LengthPrior::Kind::normal, 0.01};
+    options.forces.taut = {hanging, net.interior_edges()[3]};
+    const Identification taut = identify(net, survey, options);
+    EXPECT_THAT(taut.contradicted_taut, testing::ElementsAre(hanging));
+}
+
+}  // namespace of_forces
