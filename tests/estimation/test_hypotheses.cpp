@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "taut/net/cable_net.hpp"
+#include "support/small_nets.hpp"
 
 namespace {
 
@@ -22,27 +22,11 @@ using BoundaryTest = Hypotheses::BoundaryTest;
 constexpr int last = 20;
 constexpr double threshold = 25.0;
 
-/// Nodes 0 to 20 in a row between two supports; edge k from node k to the next. The first and last
-/// are adjustable, so that interior edge i is edge i + 1.
-CableNet chain() {
-    CableNetData data;
-    data.nodes = Points::Zero(3, last + 1);
-    for (int k = 0; k <= last; ++k) {
-        data.nodes(0, k) = k;
-    }
-    for (int k = 0; k < last; ++k) {
-        data.edges.push_back({k, k + 1});
-    }
-    data.supports = {0, last};
-    data.axial_stiffness = Eigen::VectorXd::Constant(last, 1e5);
-    data.unstressed_lengths = Eigen::VectorXd::Constant(last, 0.99);
-    data.adjustable = {0, last - 1};
-    return CableNet(data);
-}
-
 /// All kinds on the chain, tested, with the statistic 0.
 struct Table : testing::Test {
-    CableNet net = chain();
+    /// Nodes 0 to 20 in a row between two supports; edge k from node k to the next. The first and
+    /// last are adjustable, so that interior edge i is edge i + 1.
+    CableNet net{test::chain_data(last, last, 0.0)};
     Hypotheses all{net, list()};
 
     static std::vector<Hypothesis> list() {

@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/small_nets.hpp"
+
 namespace taut {
 namespace {
 
-/// A node hangs on a support by an edge of l_0 = 1 m and c = EA/l_0 = 100 kN/m with a weight of
-/// 1 kN: at rest it is stretched by 10 mm. Along the edge the energy is c u^2 / 2 at a distance u
-/// from rest. A step D towards rest changes it by (1 - D / (2 u)) times what the slope predicts.
+/// Along the edge the energy is c u^2 / 2 at a distance u from rest, c = EA/l_0 = 100 kN/m. A step
+/// D towards rest changes it by (1 - D / (2 u)) times what the slope predicts.
 class HangingNode : public ::testing::Test {
 protected:
     static constexpr double stiffness = 100e3;
@@ -30,20 +31,7 @@ protected:
                            m_trial);
     }
 
-    static LocalNet hanging_node() {
-        CableNetData data;
-        data.nodes = Points::Zero(3, 2);
-        data.nodes(2, 0) = -1.0;
-        data.supports = {1};
-        data.edges = {{0, 1}};
-        data.axial_stiffness.setConstant(1, stiffness);
-        data.unstressed_lengths.setConstant(1, 1.0);
-        data.loads = Points::Zero(3, 2);
-        data.loads(2, 0) = -1000.0;
-        return number_naturally(CableNet(std::move(data)));
-    }
-
-    const LocalNet m_local = hanging_node();
+    const LocalNet m_local = number_naturally(CableNet(test::hanging_node_data()));
     NetState m_state{m_local};
     NetState m_trial{m_local};
 };
