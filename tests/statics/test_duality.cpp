@@ -6,10 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "support/balance.hpp"
 #include "support/not_finite.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
@@ -22,19 +20,9 @@ namespace taut {
 namespace {
 
 TEST(Certificate, OfOneEdgeIsThatComputedByHand) {
-    // A node hangs on a support 1 m above by an edge of l_0 = 1 m, c = EA/l_0 = 100 kN/m, with a
-    // weight of 1 kN: it rests 10 mm lower. At 1 m + x the edge's force after correction is the
-    // weight, so V - D = c (x - 10 mm)^2 / 2.
-    CableNetData data;
-    data.nodes = Points::Zero(3, 2);
-    data.nodes(2, 0) = -1.0;
-    data.supports = {1};
-    data.edges = {{0, 1}};
-    data.axial_stiffness.setConstant(1, 100e3);
-    data.unstressed_lengths.setConstant(1, 1.0);
-    data.loads = Points::Zero(3, 2);
-    data.loads(2, 0) = -1000.0;
-    const CableNet net(std::move(data));
+    // With c = EA/l_0 = 100 kN/m: at 1 m + x the edge's force after correction is the weight, so
+    // V - D = c (x - 10 mm)^2 / 2.
+    const CableNet net(test::hanging_node_data());
     for (const double x : {0.0, 0.004, 0.01, 0.05}) {
         Points form = net.nodes();
         form(2, 0) = -1.0 - x;

@@ -14,6 +14,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "support/refusals.hpp"
+
 namespace {
 
 using namespace taut;
@@ -101,14 +103,11 @@ TEST(LengthErrors, LeaveEdgesThatNeverDeviateOutOfTheRelativeError) {
 
 TEST(LengthErrors, RefuseSizesThatDifferOrAreZero) {
     const auto refusal = [](Eigen::Index rows, Eigen::Index columns, Eigen::Index other_rows,
-                            Eigen::Index other_columns) -> std::string {
-        try {
-            (void)length_errors(Eigen::MatrixXd::Zero(rows, columns),
-                                Eigen::MatrixXd::Zero(other_rows, other_columns));
-        } catch (const std::invalid_argument& error) {
-            return error.what();
-        }
-        return "not refused";
+                            Eigen::Index other_columns) {
+        return test::refusal_of([&] {
+            return length_errors(Eigen::MatrixXd::Zero(rows, columns),
+                                 Eigen::MatrixXd::Zero(other_rows, other_columns));
+        });
     };
     EXPECT_THAT(refusal(3, 4, 4, 3),
                 testing::AllOf(testing::HasSubstr("3 x 4"), testing::HasSubstr("4 x 3")));
