@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-void check_edges(const CableNet& net, const std::vector<int>& edges) {
+void check_turned_edges(const CableNet& net, const std::vector<int>& edges) {
     if (edges.empty()) {
         throw std::invalid_argument("no edge may be turned, expected at least one adjustable edge");
     }
@@ -71,7 +71,7 @@ void check_samples(const BuiltNet& built, double confidence) {
 void check_plan_options(const BuiltNet& built, const PlanOptions& options,
                         const std::vector<int>& edges) {
     const CableNet& net = built.net;
-    check_edges(net, edges);
+    check_turned_edges(net, edges);
     check_samples(built, options.confidence);
     const double most_std = most_turned_part * net.unstressed_lengths()(edges).minCoeff();
     if (!(options.actuator_std >= 0.0 && options.actuator_std <= most_std)) {

@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 /// The best form within the limits; where they cannot be kept, the least violation.
 /// @param before steps of the search until here
@@ -75,7 +75,7 @@ PlanSearch with_margins(PlanProblem& problem, PlanSearch found) {
     const double confidence = problem.options().confidence;
     double factor = 0.0;
     PlanSearch best = found;
-    double best_shortfall = infinity;
+    double best_shortfall = no_bound;
     for (int round = 0; round < rounds; ++round) {
         const StrokedState& state = found.search.found;
         const LimitMargins margins(problem.given(), state, problem.drawn(state));
@@ -154,10 +154,10 @@ StrokedState unconstrained(PlanProblem& problem, const StrokedState& start,
         ranges[i].lower = ranges[i].lower.cwiseMin(least_taut(net));
         for (int e = 0; e < net.edge_count(); ++e) {
             if (net.is_strut(e)) {
-                ranges[i].lower(e) = -infinity;
+                ranges[i].lower(e) = -no_bound;
             }
         }
-        ranges[i].upper.setConstant(infinity);
+        ranges[i].upper.setConstant(no_bound);
     }
     StrokeTask free = task;
     const Eigen::VectorXd lengths = problem.net().unstressed_lengths()(problem.edges());

@@ -77,10 +77,9 @@ double Linearisation::half_log_determinant(const Observations& observations) con
     stiffness.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(stiffness);
     // The precision is of lengths and supports in a unit that follows the observations.
-    const auto in_unit = static_cast<double>(
-        3 * (std::ssize(numbers.nodes) - free_count) + m_model->net().interior_edge_count());
-    double result = 0.5 * m_matrix->log_determinant() -
-                    factor.vectorD().array().abs().log().sum() -
+    const auto in_unit = static_cast<double>(3 * (std::ssize(numbers.nodes) - free_count) +
+                                             m_model->net().interior_edge_count());
+    double result = 0.5 * m_matrix->log_determinant() - factor.vectorD().array().abs().log().sum() -
                     in_unit * std::log(m_length_unit);
     const Eigen::MatrixXd& root = observations.mean_root;
     if (root.size() > 0) {  // the numbers behind it, eliminated last

@@ -156,6 +156,9 @@ double TruncatedMixture::quantile(double p) const {
         lower = std::min(lower, std::max(part.lower, nearest(part) - normal_reach * part.std));
         upper = std::max(upper, std::min(part.upper, nearest(part) + normal_reach * part.std));
     }
+    if (!(upper > lower)) {
+        return lower;  // all of it is one number
+    }
     // Measured from the lower end, so that a narrow distribution far from zero loses no digits.
     constexpr int bits = 40;
     std::uintmax_t evaluations = 100;
