@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "terminal.hpp"
 
@@ -15,32 +16,18 @@ namespace taut::app {
 namespace {
 
 /// A value of an uncertain parameter, in the unit that people use.
-std::string in_unit(UncertainParameter::Kind kind, double value) {
+std::string in_unit(const UncertainParameter& parameter, double value) {
     const auto scaled = [value](double scale, int digits) {
         const double unit = std::pow(10.0, digits);
         const double rounded = std::round(scale * value * unit) / unit + 0.0;  // no -0
         return fmt::format("{:+.{}f}", rounded, digits);
     };
-    switch (kind) {
-        case UncertainParameter::Kind::stiffness:
-        case UncertainParameter::Kind::stiffness_each:
-        case UncertainParameter::Kind::loads:
-        case UncertainParameter::Kind::forces:
-        case UncertainParameter::Kind::mass:
-        case UncertainParameter::Kind::test_loads:
-        case UncertainParameter::Kind::support_stiffness:
-            return scaled(100.0, 2) + " %";
-        case UncertainParameter::Kind::creep:
-            return scaled(100.0, 4) + " %";
-        case UncertainParameter::Kind::temperature:
-            return scaled(1.0, 1) + " K";
-        case UncertainParameter::Kind::supports:
-        case UncertainParameter::Kind::adjustable:
-            return scaled(1e3, 2) + " mm";
-        case UncertainParameter::Kind::loads_each:
-            return scaled(1.0, 2) + " N";
-    }
-    return {};
+    const std::string_view unit = parameter.unit();
+    return unit == "K"   ? scaled(1.0, 1) + " K"
+           : unit == "m" ? scaled(1e3, 2) + " mm"
+           : unit == "N"
+               ? scaled(1.0, 2) + " N"
+               : scaled(100.0, parameter.kind == UncertainParameter::Kind::creep ? 4 : 2) + " %";
 }
 
 }  // namespace
@@ -51,7 +38,7 @@ void print_uncertain(const CableNet& net, const Identification& result) {
             return other.parameter != first->parameter;
         });
         const UncertainParameter& parameter = first->parameter;
-        const auto text = [&](double value) { return in_unit(parameter.kind, value); };
+        const auto text = [&](double value) { return in_unit(parameter, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
             say("{}: {} from the {}, std {}{}\n", parameter.to_string(), text(first->mean),

@@ -118,6 +118,7 @@ Scales scaled_to_fit(LinearisedFit& fitted, Observations& observations,
         if (scales == NoiseScales::by_axis) {
             by.noise = by.noise.max(least_scale / result.noise).min(most / result.noise);
         }
+        const Scales before_scales = result;
         const bool is_shown = scales == NoiseScales::by_axis || sum(noise).ratio() > 0.0;
         result.noise *= by.noise * (is_shown ? 1.0 : 0.0);
         result.lengths *= lengths.ratio() > 0.0 ? by.lengths : 0.0;
@@ -136,6 +137,8 @@ Scales scaled_to_fit(LinearisedFit& fitted, Observations& observations,
         std::optional<LinearisedFit> next = std::move(fitted).stepped(observations);
         if (!next) {
             fitted = linearised_fit(model, at, before);
+            observations = before;
+            result = before_scales;
             break;
         }
         fitted = *std::move(next);

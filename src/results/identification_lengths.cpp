@@ -43,29 +43,6 @@ void add_tension(Description<T>& of_edge, bool is_required, const Drawn& drawn) 
                 : of_edge.newer("slack_probability", slack, part);
 }
 
-/// The unit of an uncertain parameter.
-std::string_view unit_of(const UncertainParameter& parameter) {
-    switch (parameter.kind) {
-        case UncertainParameter::Kind::temperature:
-            return "K";
-        case UncertainParameter::Kind::supports:
-        case UncertainParameter::Kind::adjustable:
-            return "m";
-        case UncertainParameter::Kind::loads_each:
-            return "N";
-        case UncertainParameter::Kind::stiffness:
-        case UncertainParameter::Kind::stiffness_each:
-        case UncertainParameter::Kind::loads:
-        case UncertainParameter::Kind::forces:
-        case UncertainParameter::Kind::mass:
-        case UncertainParameter::Kind::test_loads:
-        case UncertainParameter::Kind::support_stiffness:
-        case UncertainParameter::Kind::creep:
-            break;
-    }
-    return "1";
-}
-
 }  // namespace
 
 // The prior and uncertain parameters.
@@ -122,7 +99,7 @@ Description<ParameterEstimate> describe(const ParameterEstimate* /*type*/) {
         .key("std", &Estimate::std, size)
         .newer("prior_std", &Estimate::prior_std, size,
                "Before the survey, in that unit; 1.2 times an assumed width.")
-        .key("unit", TAUT_VALUE(unit_of(it.parameter)))
+        .key("unit", TAUT_VALUE(it.parameter.unit()))
         .key("observed", &Estimate::is_observed, "Whether the survey improved it.")
         .optional("edge", TAUT_VALUE(when(it.edge >= 0, it.edge)))
         .optional("node", TAUT_VALUE(when(it.node >= 0, it.node)))
@@ -144,7 +121,7 @@ Description<Assumption> describe(const Assumption* /*type*/) {
         .key("value", &Assumption::parameter, R"(As on the command line: "stiffness:5%".)")
         .key("group", TAUT_VALUE(unless_empty(it.parameter.group)), "Of edges; null: all.")
         .key("std", TAUT_VALUE(it.parameter.std), size, "Before the survey.")
-        .key("unit", TAUT_VALUE(unit_of(it.parameter)))
+        .key("unit", TAUT_VALUE(it.parameter.unit()))
         .key("source", TAUT_VALUE(it.is_default ? "default" : "given"),
              Rule::one_of({"given", "default"}), "Whether it was given, or assumed by taut.")
         .key("testable", &Assumption::is_testable, "Whether the survey can test it.");

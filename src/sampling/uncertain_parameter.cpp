@@ -20,21 +20,23 @@ using Kind = UncertainParameter::Kind;
 struct Named {
     std::string_view name;
     Kind kind;
+    std::string_view unit;
     bool has_groups;
 };
 
-constexpr std::array parameter_names{Named{"stiffness", Kind::stiffness, true},
-                                     Named{"stiffness-each", Kind::stiffness_each, true},
-                                     Named{"temperature", Kind::temperature, true},
-                                     Named{"supports", Kind::supports, false},
-                                     Named{"adjustable", Kind::adjustable, false},
-                                     Named{"loads", Kind::loads, false},
-                                     Named{"loads", Kind::loads_each, false},
-                                     Named{"forces", Kind::forces, false},
-                                     Named{"mass", Kind::mass, false},
-                                     Named{"test-loads", Kind::test_loads, false},
-                                     Named{"support-stiffness", Kind::support_stiffness, false},
-                                     Named{"creep", Kind::creep, true}};
+constexpr std::array parameter_names{
+    Named{"stiffness", Kind::stiffness, "1", true},
+    Named{"stiffness-each", Kind::stiffness_each, "1", true},
+    Named{"temperature", Kind::temperature, "K", true},
+    Named{"supports", Kind::supports, "m", false},
+    Named{"adjustable", Kind::adjustable, "m", false},
+    Named{"loads", Kind::loads, "1", false},
+    Named{"loads", Kind::loads_each, "N", false},
+    Named{"forces", Kind::forces, "1", false},
+    Named{"mass", Kind::mass, "1", false},
+    Named{"test-loads", Kind::test_loads, "1", false},
+    Named{"support-stiffness", Kind::support_stiffness, "1", false},
+    Named{"creep", Kind::creep, "1", true}};
 
 constexpr std::string_view with_groups = "stiffness, stiffness-each, temperature and creep";
 
@@ -42,55 +44,24 @@ constexpr std::string_view parameter_examples =
     "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N, "
     "loads:10%, forces:1%, mass:3%, test-loads:1%, support-stiffness:10% or creep:0.01%";
 
-/// @throws std::invalid_argument where the text is not of the kind's unit
-double parse_width(Kind kind, std::string_view text) {
-    switch (kind) {
-        case Kind::stiffness:
-        case Kind::stiffness_each:
-        case Kind::loads:
-        case Kind::forces:
-        case Kind::mass:
-        case Kind::test_loads:
-        case Kind::support_stiffness:
-        case Kind::creep:
-            return parse_part(text);
-        case Kind::temperature:
-            return parse_temperature(text);
-        case Kind::supports:
-        case Kind::adjustable:
-            return parse_length(text);
-        case Kind::loads_each:
-            return parse_force(text);
-    }
-    return 0.0;
+const Named& named(Kind kind) {
+    return *std::ranges::find(parameter_names, kind, &Named::kind);
 }
 
-bool is_relative(Kind kind) {
-    return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads ||
-           kind == Kind::forces || kind == Kind::mass || kind == Kind::test_loads ||
-           kind == Kind::support_stiffness || kind == Kind::creep;
+/// @throws std::invalid_argument where the text is not of the kind's unit
+double parse_width(Kind kind, std::string_view text) {
+    const std::string_view unit = named(kind).unit;
+    return unit == "K"   ? parse_temperature(text)
+           : unit == "m" ? parse_length(text)
+           : unit == "N" ? parse_force(text)
+                         : parse_part(text);
 }
 
 std::string width_text(const UncertainParameter& parameter) {
-    switch (parameter.kind) {
-        case Kind::stiffness:
-        case Kind::stiffness_each:
-        case Kind::loads:
-        case Kind::forces:
-        case Kind::mass:
-        case Kind::test_loads:
-        case Kind::support_stiffness:
-        case Kind::creep:
-            return fmt::format("{:.12g}%", 1e2 * parameter.std);
-        case Kind::temperature:
-            return fmt::format("{:.12g}K", parameter.std);
-        case Kind::supports:
-        case Kind::adjustable:
-            return format_length(parameter.std);
-        case Kind::loads_each:
-            return fmt::format("{:.12g}N", parameter.std);
-    }
-    return {};
+    const std::string_view unit = parameter.unit();
+    return unit == "m"   ? format_length(parameter.std)
+           : unit == "1" ? fmt::format("{:.12g}%", 1e2 * parameter.std)
+                         : fmt::format("{:.12g}{}", parameter.std, unit);
 }
 
 /// @param text for the message
@@ -102,7 +73,7 @@ void check_width(const UncertainParameter& parameter, std::string_view text) {
             fmt::format("the uncertain parameter '{}' has no positive width, expected {}", text,
                         parameter_examples));
     }
-    if (is_relative(parameter.kind) && parameter.std >= widest_part) {
+    if (parameter.unit() == "1" && parameter.std >= widest_part) {
         throw std::invalid_argument(fmt::format(
             "the uncertain parameter '{}' has a width of 30 % or more, expected less", text));
     }
@@ -117,8 +88,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
     constexpr double widest_part = 1.0 / 3.0;
     constexpr double most_strain = 0.01;
     check_width(parameter, parameter.to_string());
-    const auto* const named = std::ranges::find(parameter_names, parameter.kind, &Named::kind);
-    if (!parameter.group.empty() && !named->has_groups) {
+    if (!parameter.group.empty() && !named(parameter.kind).has_groups) {
         refuse(parameter, fmt::format("takes no group: only {} do", with_groups));
     }
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
@@ -199,8 +169,11 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
 }  // namespace
 
 std::string_view UncertainParameter::name() const {
-    const auto* const found = std::ranges::find(parameter_names, kind, &Named::kind);
-    return found->name;
+    return named(kind).name;
+}
+
+std::string_view UncertainParameter::unit() const {
+    return named(kind).unit;
 }
 
 std::string UncertainParameter::to_string() const {

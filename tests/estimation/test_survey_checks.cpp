@@ -87,16 +87,20 @@ TEST(VarianceComponents, AccuseNoAxisWhereAnotherIsBetterThanGiven) {
 TEST(Linearisation, TheDeterminantIsOfNoUnitOfItsOwn) {
     const CableNet net = hypar(4, 4);
     const SimulatedSurvey s = simulate(net, of_lengths, of_survey, 3);
-    const SurveyFit fit = fit_survey(net, s.survey, PriorKnowledge(net, of_lengths), {});
+    PriorKnowledge knowledge(net, of_lengths);
+    knowledge.uncertain = {parse_uncertain_parameter("supports:1mm")};
+    const SurveyFit fit = fit_survey(net, s.survey, knowledge, {});
     Observations wider = fit.observations;
     wider.weights /= 9.0;
+    wider.support_weights /= 9.0;
     wider.variance *= 9.0;
     const auto of = [&](const Observations& observations) {
         return linearised_fit(fit.at.model(), fit.at.iterate, observations)
             .linearisation.half_log_determinant(observations);
     };
     // All standard deviations are three times as large.
-    EXPECT_NEAR(of(fit.observations) - of(wider), net.interior_edge_count() * std::log(3.0), 1e-6);
+    const auto count = net.interior_edge_count() + 3 * std::ssize(net.supports());
+    EXPECT_NEAR(of(fit.observations) - of(wider), static_cast<double>(count) * std::log(3.0), 1e-6);
 }
 
 /// The same net with a load at each free node, downwards.

@@ -37,6 +37,8 @@ struct TAUT_CORE_EXPORT UncertainParameter {
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads", "forces",
     /// "mass", "test-loads", "support-stiffness", "creep".
     [[nodiscard]] std::string_view name() const;
+    /// Of std: "1" for a part, "K", "m" or "N".
+    [[nodiscard]] std::string_view unit() const;
     /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
     [[nodiscard]] std::string to_string() const;
 
