@@ -124,6 +124,15 @@ bool CheckedResult::is_noise_likelier() const {
     return !noise().is_contradicted() || gain_of_scale(ratio, 0.5 / (std * std)) > other_cause.gain;
 }
 
+bool CheckedResult::has_uneven_noise() const {
+    const std::vector<FoundScale>& axes = result.scales.noise_by_axis;
+    return std::ranges::any_of(axes, [&](const FoundScale& one) {
+        return std::ranges::any_of(axes, [&](const FoundScale& other) {
+            return one.std > 0.0 && other.std > 0.0 && is_above(one, other);
+        });
+    });
+}
+
 bool CheckedResult::has_scale() const {
     const FrameCheck& check = result.frame_check;
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();

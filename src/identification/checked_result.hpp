@@ -42,6 +42,8 @@ struct CheckedResult {
     [[nodiscard]] const FoundScale& noise() const;
     /// (other-causes): whether noise explains more than the other cause, or is as given.
     [[nodiscard]] bool is_noise_likelier() const;
+    /// Whether the survey scatters along one axis significantly more than along another.
+    [[nodiscard]] bool has_uneven_noise() const;
     /// Whether the survey is of another scale, by more than is lost in its noise at the node
     /// furthest out.
     [[nodiscard]] bool has_scale() const;

@@ -65,6 +65,23 @@ std::string axis_text(const CheckedResult& of, int axis) {
                        rounded_length(given * ratio, 3), ratio, rounded_length(given));
 }
 
+/// The remedy where the noise is not the same along all axes.
+std::string each_axis(const CheckedResult& of) {
+    if (of.survey.has_own_noise) {
+        return "Correct these standard deviations in the survey (sx, sy, sz).";
+    }
+    std::vector<std::string> stds;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double given = of.survey.noise_std(axis, of.survey.surveyed).maxCoeff();
+        const double ratio = of.result.scales.noise_by_axis[axis].ratio;
+        stds.push_back(ratio > 0.0 ? rounded_length(given * ratio, 3) : "not shown");
+    }
+    return fmt::format(
+        "Give a standard deviation for each axis in the survey (sx, sy, sz); in the net's frame it "
+        "shows {}.",
+        fmt::join(stds, ", "));
+}
+
 void test_noise_along_axes(CheckedResult& of) {
     std::vector<std::string> texts;
     std::ranges::transform(of.noise_axes, std::back_inserter(texts),
@@ -79,10 +96,7 @@ void test_noise_along_axes(CheckedResult& of) {
                                   fmt::join(texts, ", and "), std),
             .next = of.other_cause.is_load_likeliest ? std::string(load_first)
                     : !of.is_noise_likelier()        ? of.other_cause.advice()
-                    : of.survey.has_own_noise
-                        ? "Correct these standard deviations in the survey (sx, sy, sz)."
-                        : "Give a standard deviation for each axis in the "
-                          "survey (sx, sy, sz)."});
+                                                     : each_axis(of)});
 }
 
 }  // namespace
@@ -171,6 +185,8 @@ void test_noise(CheckedResult& of) {
             "exact.";
     } else if (of.other_cause.is_load_likeliest) {
         finding.next = load_first;
+    } else if (of.is_noise_likelier() && noise.ratio < 1.0 && of.has_uneven_noise()) {
+        finding.next = each_axis(of);  // in common it would be too small along the others
     } else if (of.is_noise_likelier()) {
         finding.remedy = Trust::Remedy{"noise", of.survey.has_own_noise ? "estimate" : found};
         finding.next = fmt::format(

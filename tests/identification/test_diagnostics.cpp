@@ -288,6 +288,15 @@ TEST(Diagnostics, OfNoiseAlongOneAxisNamesIt) {
     EXPECT_THAT(found.next, testing::HasSubstr("each axis"));
 }
 
+TEST(Diagnostics, OfNoiseThatIsLessAlongOneAxisAdviseNoCommonOne) {
+    SimulatedSurvey s = survey_of(net(), prior, 11);
+    s.survey.noise_std.row(2) *= 3.0;
+    const Trust::Finding found = finding_of(identified(s.survey, prior).trust, Kind::survey_noise);
+    EXPECT_EQ(found.severity, Verdict::doubtful);
+    EXPECT_FALSE(found.remedy.has_value());
+    EXPECT_THAT(found.next, testing::HasSubstr("each axis"));
+}
+
 // A survey of a net with clamps that were not given; noise, frame and boundary are not to blame.
 TEST(Diagnostics, OfAMissingLoadNameItFirst) {
     CableNetData loaded = net().data();
