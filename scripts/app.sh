@@ -4,8 +4,8 @@
 #
 # Builds build/app/taut.html, taut as one page that works in a browser without a network, out of the
 # program as WebAssembly, build/app/taut.wasm. The compiler is the Clang of the Python package ziglang;
-# headers are Debian's; the sources of libc++ come with ziglang, those of pugixml and HDF5 as
-# scripts/requirements/app_sources.txt and packaging/hdf5 pin them; Clarabel is built by Debian's
+# headers are Debian's, as is the source of zlib and minizip; the sources of libc++ come with ziglang, those of
+# pugixml and HDF5 as scripts/requirements/app_sources.txt and packaging/hdf5 pin them; Clarabel is built by Debian's
 # rustc-web and rust-web-src, which are unpacked, and not installed.
 # What is made of these, and the program itself, is kept in ~/.cache/taut-app (XDG_CACHE_HOME) under a hash
 # of all that it is made of, for 30 days after it was last used: the page around a kept program takes seconds.
@@ -38,8 +38,21 @@ keep() { # function place
     ) 9>"$2.lock"
 }
 
+# The source of a package of Debian, in the folder it is called in: of the archives that packages come from.
+debian_source() { # package
+    local file lists="$into/apt"
+    rm -rf "$lists"
+    mkdir -p "$lists/sources" "$lists/index/partial"
+    for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+        [[ ! -f "$file" ]] || sed -E 's/^(Types: *)deb$/\1deb-src/; s/^deb /deb-src /' "$file" >"$lists/sources/$(basename "$file")"
+    done
+    local options=(-qq -o APT::Sandbox::User=root -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$lists/sources" -o "Dir::State::Lists=$lists/index")
+    apt-get "${options[@]}" update
+    apt-get "${options[@]}" source "$1" >/dev/null
+}
+
 # Headers of Debian that need no library, without those of its C library, which are not for this machine;
-# libc++ and pugixml.
+# libc++, pugixml and minizip.
 root() { # place
     local name
     mkdir "$1/include"
@@ -54,8 +67,10 @@ root() { # place
     build/venv/uv/bin/pip download --quiet --disable-pip-version-check --no-deps --no-binary :all: --require-hashes \
         -r scripts/requirements/app_sources.txt -d "$into/sources"
     tar -x -f "$into"/sources/pugixml-*.tar.gz -C "$into/sources" --strip-components 1
+    (cd "$into/sources" && debian_source zlib)
     cmake -S cmake/wasm/runtime -B "$into/runtime" -G Ninja -Wno-dev "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release \
-        "-DCMAKE_INSTALL_PREFIX=$1" "-DTAUT_PUGIXML=$into/sources/src/third_party/pugixml/src" >/dev/null
+        "-DCMAKE_INSTALL_PREFIX=$1" "-DTAUT_PUGIXML=$into/sources/src/third_party/pugixml/src" \
+        "-DTAUT_ZLIB=$(echo "$into"/sources/zlib-*/)" >/dev/null
     cmake --build "$into/runtime" -- --quiet
     cmake --install "$into/runtime" >/dev/null
 }
@@ -92,7 +107,7 @@ program() { # place
     # Clarabel asks for a shared library, too, which nobody links.
     export CARGO_TARGET_WASM32_WASIP1_LINKER=true
     export LD_LIBRARY_PATH="$rust/usr/lib/x86_64-linux-gnu"
-    export PKG_CONFIG_LIBDIR="$hdf5/installed/lib/pkgconfig"
+    export PKG_CONFIG_LIBDIR="$hdf5/installed/lib/pkgconfig:$root/lib/pkgconfig"
     cmake --preset app --log-level=WARNING "${toolchain[@]}" "-DTAUT_CARGO_FOLDER=$rust/clarabel" \
         "-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES=$PWD/cmake/wasm/packages.cmake"
     cmake --build --preset app --target taut_app
@@ -100,7 +115,7 @@ program() { # place
     scripts/app_licences.py "$zig" "$hdf5" "$rust" "$1/licences.json"
 }
 
-mapfile -t headers < <(dpkg --search /usr/include/{fmt,fast_float,nlohmann,CLI,valijson,eigen3/Eigen,boost}/ | cut --delimiter : --fields 1)
+mapfile -t headers < <(dpkg --search /usr/include/{fmt,fast_float,nlohmann,CLI,valijson,eigen3/Eigen,boost,minizip}/ | cut --delimiter : --fields 1)
 root="$(place root < <(dpkg-query --show "${headers[@]}" && cat cmake/wasm/{toolchain.cmake,Platform/*,runtime/*} scripts/requirements/app*.txt))"
 hdf5="$(place hdf5 < <(echo "$root" && cat packaging/hdf5/{build.sh,Cargo.lock}))"
 std="$(depends_on libstd-rust-web-dev libstd-rust-web-)"

@@ -20,6 +20,7 @@ HEADERS = (
     "eigen3/Eigen/Core",
     "fast_float/fast_float.h",
     "fmt/core.h",
+    "minizip/zip.h",
     "nlohmann/json.hpp",
     "pugixml.hpp",
     "valijson/validator.hpp",

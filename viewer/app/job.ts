@@ -5,10 +5,10 @@
 
 import { turnedCsv } from "../src/as_made";
 import { isNotes, type Notes } from "../src/notes";
+import { unzipSync } from "fflate";
 import type { Plan } from "../src/result";
-import { withoutExcel } from "./xlsx";
 
-export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "frequencies" | "sag" | "later" | "turned" | "target" | "none";
+export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "frequencies" | "sag" | "later" | "turned" | "target" | "tensions" | "check" | "adjustable" | "none";
 
 /** What roles are called, and the option that gives such a file to a command. */
 export const roles: Record<Role, { label: string; command?: string; option?: string }> = {
@@ -24,6 +24,9 @@ export const roles: Record<Role, { label: string; command?: string; option?: str
   later: { label: "later survey" },
   turned: { label: "turned before the next survey" },
   target: { label: "target form", command: "plan", option: "--target" },
+  tensions: { label: "target tensions", command: "plan", option: "--target-tension" },
+  check: { label: "later loads to check", command: "plan", option: "--check" },
+  adjustable: { label: "edges that may be turned", command: "plan", option: "--adjustable" },
   none: { label: "not used" },
 };
 
@@ -129,6 +132,18 @@ export const namedIn = ({ inputs }: Job, role: Role): string | undefined => [...
 export const madePlan = ({ outputs }: Job): Pick<Plan, "turns" | "warnings"> =>
   (outputs[planFile] ? (JSON.parse(text(outputs[planFile])) as Plan) : { turns: [] });
 
+/** The start of a table. Of an Excel file all its text: what a cell holds stands on a line of its own. */
+function headOf(bytes: Uint8Array): string {
+  if (text(bytes.subarray(0, 4)) !== "PK\x03\x04") return text(bytes.subarray(0, 2000));
+  const mostText = 2 ** 22;
+  try {
+    const parts = unzipSync(bytes, { filter: ({ name, originalSize }) => /sharedStrings|worksheets\//.test(name) && originalSize < mostText });
+    return Object.values(parts).map((part) => text(part).replace(/<[^>]*>/g, "\n").replace(/\n+/g, "\n")).join("");
+  } catch {
+    return "";  // the program says what is wrong
+  }
+}
+
 /** What a file may be for; throws for results, which the page makes itself. Of surveys the first is the net as built, and any other a later one. */
 export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (name.toLowerCase().endsWith(".ply")) return "target";
@@ -136,8 +151,9 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   const known = formatOf(name, bytes);
   if (known?.startsWith("taut-") && known !== "taut-net") throw new Error(`${name} is a ${known} file, expected a net, a survey or a job: results are made here`);
   if (known !== null) return "net";
-  const head = text(bytes.subarray(0, 2000));
+  const head = headOf(bytes);
   if (/\bstroke(_mm)?\b/.test(head)) return "turned";
+  if (/^\s*edge\W+tension\W+tolerance\b/m.test(head)) return "tensions";
   if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
   if (/^\s*edge\W+frequency\b/m.test(head)) return "frequencies";
   if (/^\s*edge\W+x\W+y\W+z\b/m.test(head)) return "sag";
@@ -173,7 +189,7 @@ export function fileMade(job: Job, role: Role, before?: string): void {
 }
 
 /** Roles of which a job has many files; of the others it has one, the last. */
-const many: Role[] = ["later", "turned", "none"];
+const many: Role[] = ["later", "turned", "check", "none"];
 
 /** Gives a file its role. What is ticked off counts as turned before a later survey, unless a file says what was. */
 export function setRole(job: Job, name: string, role: Role): void {
@@ -220,5 +236,5 @@ export function epochWords({ inputs }: Job): string[] {
 /** A file's content under a name without folders. Throws for one that the program would refuse. */
 export async function contentOf(file: File): Promise<Uint8Array> {
   if (file.size > largest) throw new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB, expected at most ${largest / 2 ** 20}`);
-  return withoutExcel(file.name, new Uint8Array(await file.arrayBuffer()));
+  return new Uint8Array(await file.arrayBuffer());
 }

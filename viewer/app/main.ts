@@ -6,6 +6,7 @@
 import { byId, h, section } from "../src/dom";
 import { counted } from "../src/format";
 import { type Notes, withNotes } from "../src/notes";
+import { plainTable } from "../src/plain_table";
 import type { Identification } from "../src/result";
 import { Frames } from "./frames";
 import {
@@ -13,7 +14,7 @@ import {
   setRole, text, turnsFile,
 } from "./job";
 import { Cancelled, module, run } from "./program";
-import { fields as settingFields, forceSettings, identifySettings, importSettings, inFields, planSettings, type Setting, shown, wordsOf } from "./settings";
+import { fields as settingFields, forceSettings, identifySettings, importSettings, inFields, planSettings, type Setting, shown, suggestSettings, wordsOf } from "./settings";
 import { keep, keptJob } from "./store";
 import { Work } from "./work";
 
@@ -68,8 +69,17 @@ async function showReport(into: HTMLElement, result: string, signal: AbortSignal
   into.append(h("div", { class: "buttons no-print" },
     h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), withNotes(text(report), job.notes)) }, "Save report"),
     h("button", { type: "button", onclick: () => save(result, job.outputs[result]!) }, "Save result"),
-    isPlan ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null));
+    isPlan ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null,
+    h("button", { type: "button", onclick: () => void attempt(() => saveForExcel(result)) }, "Save for Excel")));
   into.scrollIntoView({ block: "start" });  // in a frame that is not seen nothing is drawn
+}
+
+/** The tables of a result. */
+async function saveForExcel(result: string): Promise<void> {
+  const name = result === planFile ? "turns.xlsx" : "lengths.xlsx";
+  const { code, err, files } = await run(["export", result, "--to", "xlsx", "-o", name], { [result]: job.outputs[result]! });
+  if (code !== 0) throw new Error(err);
+  save(name, files[name]!);
 }
 
 /** Runs a command whose outputs the job keeps. Exit code 1 comes with a result, unless there is none. */
@@ -90,17 +100,49 @@ async function importNet(work: Work): Promise<void> {
   await command(work, ["import", name, ...roleWords(job, "import"), "-o", netFile, ...wordsOf(importSettings, job.settings)]);
 }
 
+const lastSurvey = (): string | undefined => [...job.inputs].filter(([, { role }]) => role === "later").at(-1)?.[0] ?? named("survey");
+
+/** Options of inspect that give the last survey, and what is set of it. */
+function surveyWords(survey: string, taken: string[]): string[] {
+  const control = named("control");
+  return ["--survey", survey, ...(control ? ["--control", control] : []), ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
+}
+
 async function read(work: Work): Promise<string> {
   await importNet(work);
-  const survey = [...job.inputs].filter(([, { role }]) => role === "later").at(-1)?.[0] ?? named("survey");
-  const taken = ["--noise", "--unit", "--frame", "--offset"];
-  const control = named("control");
-  const words = survey === undefined ? [] : ["--survey", survey, ...(control ? ["--control", control] : []), ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
-  const { out, warnings } = await command(work, ["inspect", netName(), ...words]);
+  const survey = lastSurvey();
+  const { out, warnings } = await command(work, ["inspect", netName(), ...(survey === undefined ? [] : surveyWords(survey, ["--noise", "--unit", "--frame", "--offset"]))]);
   const nodes = Number(/^net .*: (\d+) free node/m.exec(out)?.[1] ?? 0);
   byId("size").textContent = nodes > manyNodes
     ? `This net has ${nodes} free nodes. In a browser it may take minutes and more memory than there is. taut for Linux does the same with the same files, and faster.` : "";
   return [...(survey === undefined ? ["The survey is still missing."] : []), ...warnings.map((warning) => `Warning: ${warning}.`)].join(" ");
+}
+
+interface Suggestions {
+  quantity: string;
+  mean_tension: number | null;
+  std: number;
+  steps: { kind: string; id: string; expected?: number | null; measurement_std?: number | null; remaining_std: number }[];
+  left_out: string[];
+}
+
+/** Which measurements besides the survey would tell most. */
+async function suggest(work: Work): Promise<string> {
+  const survey = lastSurvey();
+  if (survey === undefined) throw new Error("There is no survey yet: drop its file.");
+  await importNet(work);
+  byId("suggestions").replaceChildren();
+  const forces = named("forces");
+  const { out } = await command(work, ["inspect", netName(), ...surveyWords(survey, ["--noise", "--unit", "--frame", "--offset", "--prior", "--uncertain"]),
+    ...(forces ? ["--forces", forces, ...wordsOf(forceSettings, job.settings)] : []), ...wordsOf(suggestSettings, { ...job.settings, "--suggest": job.settings["--suggest"] || "mean-tension" }), "--json"]);
+  const { quantity, mean_tension: mean, std, steps, left_out } = (JSON.parse(out) as { survey: { suggestions: Suggestions } }).survey.suggestions;
+  const [factor, unit] = quantity === "form" ? [1e3, "mm"] : mean ? [100 / mean, "% of the mean tension"] : [1e-3, "kN"];
+  const amount = (value: number | null | undefined, kind: string): string =>
+    value == null ? "–" : kind === "frequency" ? `${value.toPrecision(3)} Hz` : ["load-cell", "load"].includes(kind) ? `${(value / 1e3).toPrecision(3)} kN` : `${(1e3 * value).toPrecision(3)} mm`;
+  byId("suggestions").replaceChildren(plainTable("Measurements that would tell most", ["measure", "at", "expected", "to within", `std left [${unit}]`],
+    steps.map(({ kind, id, expected, measurement_std, remaining_std }) => [kind.replace("-", " "), id, amount(expected, kind), amount(measurement_std, kind), (factor * remaining_std).toPrecision(3)])),
+  ...left_out.map((text) => h("p", { class: "quiet" }, `Not suggested: ${text}.`)));
+  return `Standard deviation of the ${quantity.replace("-", " ")} now: ${(factor * std).toPrecision(3)} ${unit}.`;
 }
 
 const ticks = (): number => (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;
@@ -148,6 +190,7 @@ function planOutcome(): string {
 }
 
 const reading = new Work("Read again", read);
+const suggesting = new Work("Suggest measurements", suggest);
 const identifying = new Work("Identify", identify);
 const planning = new Work("Plan", plan);
 
@@ -189,7 +232,8 @@ function filesChanged(): void {
   ofFiles = new AbortController();
   forget("lengths");
   job.outputs = {};
-  for (const work of [reading, identifying, planning]) work.clear();
+  byId("suggestions").replaceChildren();
+  for (const work of [reading, suggesting, identifying, planning]) work.clear();
   showFiles();
   changed();
   if (named("net") !== undefined) void reading.start();
@@ -263,11 +307,12 @@ async function example(): Promise<void> {
 function showSettings(): void {
   const fields = (settings: Setting[], values: Record<string, string>): HTMLElement => settingFields(settings, values, () => {
     changed();
-    for (const work of settings === planSettings ? [planning] : [identifying, planning]) work.settingsChanged();
+    for (const work of settings === planSettings ? [planning] : settings === suggestSettings ? [suggesting] : [suggesting, identifying, planning]) work.settingsChanged();
   });
   byId("import").replaceChildren(h("p", { class: "quiet" }, "The net is another program's. What its file does not say:"), fields(importSettings, job.settings));
   byId("force-settings").replaceChildren(fields(forceSettings, job.settings));
   byId("identify-settings").replaceChildren(fields(identifySettings, job.settings));
+  byId("suggest-settings").replaceChildren(fields(suggestSettings, job.settings));
   byId("plan-settings").replaceChildren(fields(planSettings, job.settings));
 }
 
@@ -304,7 +349,8 @@ function build(): void {
         h("button", { type: "button", id: "save-job", onclick: () => save("taut-job.json", jobText(job)) }, "Save this job"),
         h("button", { type: "button", id: "new-job", onclick: startAnew }, "New job")),
       h("p", { id: "kept", class: "quiet", role: "status" })),
-    section("read", "2. What taut read", reading.element, h("p", { id: "size", class: "status", role: "status" })),
+    section("read", "2. What taut read", reading.element, h("p", { id: "size", class: "status", role: "status" }),
+      h("details", { id: "suggest" }, h("summary", {}, "What else to measure, to know more of forces or form"), h("div", { id: "suggest-settings" }), suggesting.element, h("div", { id: "suggestions" }))),
     section("identification", "3. Lengths", h("div", { id: "identify-settings" }), h("div", { id: "force-settings", hidden: true }), identifying.element, h("div", { id: "lengths" })),
     section("planning", "4. Turns", h("div", { id: "plan-settings" }), planning.element, h("div", { id: "turns" })),
     section("next", "5. As made, and the next survey", h("p", { id: "made", role: "status" }), dropPlace("drop-next", "Drop the next survey here", "All surveys together determine the lengths; the next plan starts from the net as it is now.")));

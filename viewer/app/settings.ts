@@ -14,7 +14,11 @@ export interface Setting {
   /** Each number in it takes a unit. */
   unit?: string;
   choices?: string[];
+  /** It holds options as on the command line. */
+  isWords?: boolean;
 }
+
+const further = (command: string): Setting => ({ option: `further ${command} options`, label: "Further options", preset: "none", hint: `as taut ${command} takes them`, isWords: true });
 
 export const identifySettings: Setting[] = [
   { option: "--noise", unit: "mm", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate, where the file has none: 0.5mm" },
@@ -24,6 +28,7 @@ export const identifySettings: Setting[] = [
   { option: "--unit", label: "Unit of the coordinates", preset: "the file's, or by its extent", choices: ["m", "mm", "cm", "ft", "us-ft", "in"] },
   { option: "--frame", label: "Coordinate system", preset: "auto", choices: ["net", "supports"] },
   { option: "--draws", label: "Posterior samples", preset: "by the net's size", hint: "200; a plan needs them" },
+  further("identify"),
 ];
 
 export const planSettings: Setting[] = [
@@ -35,6 +40,17 @@ export const planSettings: Setting[] = [
   { option: "--thread", label: "Thread", preset: "that of the net", choices: ["right", "left"] },
   { option: "--tolerance", unit: "mm", label: "Good enough", preset: "as near as can be", hint: "RMS along the normal: 2mm; then the fewest turns" },
   { option: "--crews", label: "Crews", preset: "1" },
+  { option: "--stages", label: "Stages", preset: "all at once", hint: "groups of the net in turn: ridge:50%, valley, ridge" },
+  { option: "--target-tension", unit: "kN", label: "Target tension", preset: "none", hint: "12kN:5%, that of a group 12kN:5%@ridge" },
+  { option: "--suggest-adjustable", label: "Further edges to suggest", preset: "none", hint: "3: those that would help most if they could be turned" },
+  { option: "--suggest-targets", unit: "mm", label: "Further targets to suggest", preset: "none", hint: "surveyed to 0.5mm before turning" },
+  further("plan"),
+];
+
+/** Of further measurements. */
+export const suggestSettings: Setting[] = [
+  { option: "--suggest", label: "They are to determine", preset: "mean-tension", choices: ["worst-tension", "form"] },
+  { option: "--cost", label: "Cost of one measurement", preset: "1 each", hint: "load-cell:5 frequency:1 sag:2 target:1 load:8" },
 ];
 
 /** Of force measurements. */
@@ -50,7 +66,7 @@ export const importSettings: Setting[] = [
   { option: "--supports", label: "Further supports", preset: "none", choices: ["boundary"] },
 ];
 
-const allSettings = [...identifySettings, ...planSettings, ...forceSettings, ...importSettings];
+const allSettings = [...identifySettings, ...planSettings, ...suggestSettings, ...forceSettings, ...importSettings];
 
 /** A message of the program with the labels of the page's fields in place of its options. */
 export const inFields = (message: string): string =>
@@ -73,9 +89,10 @@ export function fields(settings: Setting[], values: Record<string, string>, chan
 
 /** The words of the command line for what was set. Throws for a number that lacks its unit. */
 export function wordsOf(settings: Setting[], values: Record<string, string>): string[] {
-  return settings.flatMap(({ option, label, unit }) => {
-    const value = values[option];
+  return settings.flatMap(({ option, label, unit, isWords }) => {
+    const value = values[option]?.replace(/\s*,\s*/g, ",");
     if (!value) return [];
+    if (isWords) return (value.match(/(?:"[^"]*"|'[^']*'|[^\s"'])+/g) ?? []).map((word) => word.replace(/["']/g, ""));
     // The program would take a bare number in SI units.
     const bare = value.split(/\s+|\.\.|:|@.*$/).find((part) => /^[-+]?(\d+[.,]?\d*|[.,]\d+)$/.test(part) && Number(part) !== 0);
     if (unit && bare !== undefined) throw new Error(`${label}: ${bare} has no unit. Write ${bare}${unit}, say.`);

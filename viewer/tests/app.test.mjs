@@ -7,7 +7,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
@@ -130,6 +130,11 @@ test("two dropped files become lengths and a list of turns, and a job that opens
   await drop(page, "#drop", ["net.json", "survey.csv"]);
   await page.waitForSelector("#read [data-state=done]");
   assert.match(await page.textContent("#read .output"), /survey survey\.csv: \d+ free nodes/);
+  await page.click("#suggest summary");
+  await page.dispatchEvent("#do-suggest", "click");
+  await page.waitForSelector("#suggest [data-state=done]");
+  assert.match(await page.textContent("#suggest .status"), /Standard deviation of the mean tension now: [\d.]+ % of the mean tension\.$/);
+  assert.match((await page.locator("#suggestions tbody tr").allTextContents()).join("|"), /^(load cell\d+[\d.]+ kN[\d.]+ kN[\d.]+\|?)+$/);
   for (const [option, value] of [["--noise", "0.5mm"], ["--prior", "uniform:5mm"], ["--draws", "200"]]) await page.fill(`[name="${option}"]`, value);
   await page.dispatchEvent("#do-identify", "click");
   await page.waitForSelector("#identification [data-state=done]");
@@ -144,6 +149,9 @@ test("two dropped files become lengths and a list of turns, and a job that opens
   assert.ok(await page.frameLocator("#turns iframe").locator("#crews tbody tr").count() > 0);
   const [saved] = await Promise.all([page.waitForEvent("download"), page.click("text=Save list of turns")]);
   assert.equal(readFileSync(await saved.path(), "utf8"), file("turns.csv").toString());
+  native("export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx");
+  const [list] = await Promise.all([page.waitForEvent("download"), page.click("#turns >> text=Save for Excel")]);
+  assert.ok(readFileSync(await list.path()).equals(file("turns.xlsx")));
 
   const [job] = await Promise.all([page.waitForEvent("download"), page.click("#save-job")]);
   await job.saveAs(join(folder, "job.json"));
@@ -236,6 +244,12 @@ test("files of another program, of forces and of control points are known by wha
   await page.click("#new-job");
   await drop(page, "#drop", ["net.obj", "survey.csv"]);
   assert.deepEqual(await roles(), ["net", "survey"]);
+  await page.click("#new-job");
+  copyFileSync(new URL("../../tests/data/surveys/excel.xlsx", import.meta.url), join(folder, "excel.xlsx"));
+  native("example", "hypar:4x5", "-o", "small.json");
+  await drop(page, "#drop", ["small.json", "excel.xlsx"]);
+  await page.waitForSelector("#read [data-state=done]");
+  assert.ok((await page.textContent("#read .output")).includes(native("inspect", "small.json", "--survey", "excel.xlsx")));
   assert.deepEqual(page.complaints, []);
   await page.close();
 });

@@ -5,16 +5,18 @@
 // that a list of turns changes.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { strToU8, zipSync } from "fflate";
 
 async function bundled(entry) {
   const { outputFiles } = await build({ entryPoints: [fileURLToPath(new URL(entry, import.meta.url))], bundle: true, write: false, format: "esm" });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 }
 const { addFile, epochWords, fileMade, newJob, setRole, text } = await bundled("../app/job.ts");
-const { inFields } = await bundled("../app/settings.ts");
+const { identifySettings, inFields, planSettings, wordsOf } = await bundled("../app/settings.ts");
 const { numberOf, turnedCsv } = await bundled("../src/as_made.ts");
 
 const bytes = (content) => new TextEncoder().encode(content);
@@ -94,4 +96,22 @@ test("turns are read as crews write them", () => {
 test("messages of the program name the fields of the page", () => {
   assert.equal(inFields("--step is 3, expected with --turn"), "“Smallest part of a turn” is 3, expected with “Change of length by one turn”");
   assert.equal(inFields("--loads is none of the page's"), "--loads is none of the page's");
+});
+
+test("an Excel file is known by what stands in it, a damaged one is left to the program", () => {
+  const job = newJob();
+  const sheet = (...cells) => zipSync({ "xl/worksheets/sheet1.xml": strToU8(cells.map((cell) => `<c t="inlineStr"><is><t>${cell}</t></is></c>`).join("")) });
+  addFile(job, "survey.xlsx", readFileSync(new URL("../../tests/data/surveys/excel.xlsx", import.meta.url)));
+  addFile(job, "made.xlsx", sheet("number", "edge", "stroke_mm"));
+  addFile(job, "cells.xlsx", sheet("edge", "tension"));
+  addFile(job, "goals.xlsx", sheet("edge", "tension", "tolerance"));
+  addFile(job, "cut.xlsx", sheet("edge", "tension").slice(0, 40));
+  assert.deepEqual(filesOf(job), ["survey.xlsx survey", "made.xlsx turned", "cells.xlsx forces", "goals.xlsx tensions", "cut.xlsx later"]);
+});
+
+test("settings become words, further options as in a shell, commas as the program wants them", () => {
+  assert.deepEqual(wordsOf(planSettings, { "--stages": "ridge:50% , valley", "further plan options": `--objective largest --check "my loads.csv"` }),
+    ["--stages", "ridge:50%,valley", "--objective", "largest", "--check", "my loads.csv"]);
+  assert.deepEqual(wordsOf(identifySettings, { "further identify options": "--slack 3" }), ["--slack", "3"]);
+  assert.throws(() => wordsOf(planSettings, { "--target-tension": "12@ridge" }), /^Error: Target tension: 12 has no unit/);
 });
