@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/table_file.hpp"
+#include "taut/identification/force_units.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/io/forces_csv.hpp"
 #include "taut/io/frequencies_csv.hpp"
@@ -130,7 +131,8 @@ namespace {
 /// Adds measurements of a file; warns where they are far from those designed.
 void add_measurements(const CableNet& net, const std::vector<ForceMeasurement>& found,
                       const std::string& file, Forces& forces) {
-    if (const std::string warning = force_unit_warning(net, found, file); !warning.empty()) {
+    const std::string warning = naming_file(file, [&] { return force_unit_warning(net, found); });
+    if (!warning.empty()) {
         warn(file, {warning});
     }
     forces.measurements.insert(forces.measurements.end(), found.begin(), found.end());

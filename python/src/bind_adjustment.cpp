@@ -28,14 +28,6 @@
 namespace taut::python {
 namespace {
 
-/// By Python's warnings.
-void warn(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) {
-        nb::module_::import_("warnings")
-            .attr("warn")("target: " + warning, nb::arg("stacklevel") = 2);
-    }
-}
-
 PlannedTurns plan_on(const CableNet& net, const BuiltNet& built, const FormTarget& target,
                      const PlanRequest& request, const Progress& progress) {
     try {
@@ -105,7 +97,9 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
         given.node_weights = node_weights(net, weights->first, weights->second);
     }
     const FormTarget form = target_of(net, given);
-    warn(target_warnings(net, form));
+    for (const std::string& warning : target_warnings(net, form)) {
+        warn("target: " + warning);
+    }
     return interruptible(progress, [&](const Progress& reporter) {
         BuiltNet built = built_net_of(net, identified.found);
         PlannedTurns turns = plan_on(net, built, form, request, reporter);

@@ -24,6 +24,7 @@
 #include "given.hpp"
 #include "identified.hpp"
 #include "taut/identification/epochs.hpp"
+#include "taut/identification/force_units.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/survey/cable_sag.hpp"
@@ -74,6 +75,10 @@ Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& me
         forces.slack = indices_argument(*slack_edges, "slack");
     }
     check_forces(net, forces);
+    if (const std::string warning = force_unit_warning(net, forces.measurements);
+        !warning.empty()) {
+        warn("forces: " + warning);
+    }
     return forces;
 }
 

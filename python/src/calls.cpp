@@ -100,6 +100,10 @@ void raise_pending_signals() {
     }
 }
 
+void warn(const std::string& warning) {
+    nb::module_::import_("warnings").attr("warn")(warning, nb::arg("stacklevel") = 2);
+}
+
 void with_given_threads(const std::function<void()>& work) {
     if (given_threads > 0) {
         with_threads(given_threads, work);

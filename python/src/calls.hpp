@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -46,6 +47,9 @@ private:
 
 /// @throws nb::python_error of KeyboardInterrupt where that is why the work ended early
 void raise_pending_signals();
+
+/// By Python's warnings.
+void warn(const std::string& warning);
 
 void with_given_threads(const std::function<void()>& work);
 

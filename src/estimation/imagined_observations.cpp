@@ -3,9 +3,10 @@
 #include "estimation/imagined_observations.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <cmath>
 #include <utility>
+
+#include "numerics/dense.hpp"
 
 namespace taut {
 
@@ -115,10 +116,10 @@ Observations with_leading_means(const Observations& observations) {
     Observations result = observations;
     if (result.mean_root.cols() > most) {
         const Eigen::VectorXd stds = observations.variance.cwiseSqrt();
-        const Eigen::BDCSVD<Eigen::MatrixXd> svd(
-            stds.cwiseInverse().asDiagonal() * observations.mean_root, Eigen::ComputeThinU);
-        result.mean_root = stds.asDiagonal() * svd.matrixU().leftCols(most) *
-                           svd.singularValues().head(most).asDiagonal();
+        const Eigen::MatrixXd scaled = stds.cwiseInverse().asDiagonal() * observations.mean_root;
+        const SymmetricEigen squares = symmetric_eigen(gram(scaled));
+        result.mean_root =
+            observations.mean_root * squares.vectors.rightCols(most).rowwise().reverse();
         result.shown_mean.resize(0);
         result.shown_root.resize(0, 0);
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "identification/epoch_net.hpp"
+#include "taut/identification/force_units.hpp"
 
 namespace taut {
 namespace {
@@ -48,6 +49,7 @@ void check_options(const CableNet& net, std::span<const Epoch> epochs,
     }
     static_cast<void>(reported_epoch(epochs));
     check_uncertain_parameters(net, options.uncertain);
+    (void)force_unit_warning(net, options.forces.measurements);
     const double steps = std::sqrt(static_cast<double>(epochs.size()) - 1.0);
     if (const double creep = std_of(options.uncertain, UncertainParameter::Kind::creep);
         creep * steps > most_creep) {

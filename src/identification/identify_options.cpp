@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "platform/platform.hpp"
+#include "taut/identification/force_units.hpp"
 #include "taut/identification/model.hpp"
 
 namespace taut {
@@ -187,6 +188,7 @@ MethodChoice checked_method(const CableNet& net, const Survey& survey, const Len
     MethodChoice choice = choose_method(survey, options);
     check_survey_for(net, survey, choice.method);
     check_forces(net, options.forces);
+    (void)force_unit_warning(net, options.forces.measurements);
     check_for_one_survey(net, options.uncertain);
     check_covariance_of(net, options.covariance_of);
     check_for_method(options, choice.method);

@@ -8,7 +8,6 @@
 #include "io/name_column.hpp"
 #include "net/check_index.hpp"
 #include "taut/files/input_error.hpp"
-#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -74,41 +73,6 @@ std::vector<int> parse_edge_list(const CableNet& net, std::string_view text,
 
 bool is_edge_list(std::string_view text, const std::string& file_name) {
     return first_fields(text, file_name).size() == 1;
-}
-
-std::string force_unit_warning(const CableNet& net,
-                               const std::vector<ForceMeasurement>& measurements,
-                               const std::string& file_name) {
-    const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
-    std::vector<double> ratios;
-    for (const ForceMeasurement& measurement : measurements) {
-        check_index("edge", measurement.edge, net.edge_count());
-        if (designed(measurement.edge) * measurement.tension > 0.0) {
-            ratios.push_back(measurement.tension / designed(measurement.edge));
-        }
-    }
-    if (ratios.empty()) {
-        return {};
-    }
-    std::ranges::sort(ratios);
-    const double median = ratios[ratios.size() / 2];
-    constexpr double far = 2.5;
-    constexpr double impossible = 50.0;
-    if (median >= 1.0 / far && median <= far) {
-        return {};
-    }
-    constexpr double kilo = 1e3;
-    const bool is_kilo = median * kilo > 1.0 / far && median * kilo < far;
-    const char* const advice = measurements[0].is_by_mass()
-                                   ? "check the modes of frequencies, and the net's mass [kg/m]"
-                               : is_kilo ? "most likely the unit is kN, give it"
-                                         : "check the unit";
-    const std::string text = fmt::format(
-        "the median measured tension is {:.2g} times the designed one: {}", median, advice);
-    if (median < 1.0 / impossible || median > impossible) {
-        throw InputError(file_name, "", text);
-    }
-    return text;
 }
 
 }  // namespace taut

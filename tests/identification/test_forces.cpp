@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "identification/uncertain_nets.hpp"
+#include "taut/identification/force_units.hpp"
 #include "taut/identification/predicted_precision.hpp"
 
 namespace of_forces {
@@ -68,6 +69,19 @@ TEST_F(ForceMeasurements, AreUsedWithTheirStandardDeviation) {
         EXPECT_GT(before.std, 10.0 * force.std);
     }
     EXPECT_LT(with.drawn.mean_tension.std, without.drawn.mean_tension.std);
+}
+
+TEST_F(ForceMeasurements, InAUnitThatIsMostLikelyAnotherAreNamed) {
+    const double designed = tensions(m_net, m_net.unstressed_lengths(), m_net.nodes())(3);
+    const auto cells_at = [&](double part) {
+        return std::vector<ForceMeasurement>{{.edge = 3, .tension = part * designed, .std = 1.0}};
+    };
+    EXPECT_EQ(force_unit_warning(m_net, cells_at(0.5)), "");
+    EXPECT_THAT(force_unit_warning(m_net, cells_at(0.1)),  // kgf
+                testing::HasSubstr("0.1 times the designed one: check the unit"));
+    EXPECT_THAT([&] { (void)found({.measurements = cells_at(1e-3)}); },
+                testing::ThrowsMessage<std::invalid_argument>(
+                    testing::HasSubstr("most likely the unit is kN")));
 }
 
 TEST_F(ForceMeasurements, AddWhatIsPredicted) {

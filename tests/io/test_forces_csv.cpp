@@ -8,15 +8,12 @@
 #include <gmock/gmock.h>
 
 #include "support/bad_input.hpp"
-#include "support/errors.hpp"
 #include "support/small_nets.hpp"
-#include "taut/statics/tensions.hpp"
 
 namespace {
 
 using namespace taut;
 using namespace taut::test;
-using testing::HasSubstr;
 
 TEST(ForcesCsv, AreReadByTheNamesOfEdges) {
     const auto measurements = parse_force_measurements(
@@ -42,19 +39,6 @@ TEST(ForcesCsv, AreNoListOfEdges) {
     EXPECT_FALSE(is_edge_list("edge,tension\nab,3\n", "f.csv"));
     EXPECT_THAT(parse_edge_list(two_node_net(), "edge\nbD\n\nab\n", "f.csv"),
                 testing::ElementsAre(4, 2));
-}
-
-TEST(ForcesCsv, AUnitThatIsMostLikelyAnotherIsNamed) {
-    const CableNet tense = two_node_net();
-    const double designed = tensions(tense, tense.unstressed_lengths(), tense.nodes())(2);
-    const auto warning_of = [&](double part) {
-        return force_unit_warning(tense, {{.edge = 2, .tension = part * designed, .std = 1.0}},
-                                  "f.csv");
-    };
-    EXPECT_EQ(warning_of(0.5), "");
-    EXPECT_THAT(warning_of(0.1), HasSubstr("0.1 times the designed one: check the unit"));  // kgf
-    EXPECT_THAT(input_error_of([&] { return warning_of(1e-3); }),
-                AllOf(HasSubstr("f.csv: "), HasSubstr("most likely the unit is kN")));
 }
 
 TEST(ForcesCsv, AreRefusedWithLineAndRule) {

@@ -42,12 +42,4 @@ struct ForceFormat {
 /// @throws InputError as CSV
 [[nodiscard]] TAUT_IO_EXPORT bool is_edge_list(std::string_view text, const std::string& file_name);
 
-/// A warning where the tensions are most likely in another unit: their median over those of the
-/// design is above 2.5, or below 1 / 2.5; else empty.
-/// @param file_name for messages
-/// @throws InputError where the median is above 50, or below 1 / 50
-[[nodiscard]] TAUT_IO_EXPORT std::string force_unit_warning(
-    const CableNet& net, const std::vector<ForceMeasurement>& measurements,
-    const std::string& file_name);
-
 }  // namespace taut
