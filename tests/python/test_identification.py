@@ -46,7 +46,7 @@ def test_every_field_of_cpp_is_shown(net, form, survey, found):
     both = taut.identify(
         net,
         taut.read_survey(net, moved[net.free_nodes], ids=net.free_nodes, noise=0.5e-3),
-        forces=[(edge, 3.0 * found.tension[edge], 0.01 * found.tension[edge])],
+        forces=[(edge, 1.8 * found.tension[edge], 0.01 * found.tension[edge])],
         epochs=[(second, [(0, 0.0, 1e-4)])],
         prior="uniform:3mm",
         draws=0,
