@@ -38,8 +38,8 @@ keep() { # function place
     ) 9>"$2.lock"
 }
 
-# The source of a package of Debian, in the folder it is called in: of the archives that packages come from.
-debian_source() { # package
+# The sources of packages of Debian, in the folder it is called in: of the archives that packages come from.
+debian_sources() { # package...
     local file lists="$into/apt"
     rm -rf "$lists"
     mkdir -p "$lists/sources" "$lists/index/partial"
@@ -48,7 +48,7 @@ debian_source() { # package
     done
     local options=(-qq -o APT::Sandbox::User=root -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$lists/sources" -o "Dir::State::Lists=$lists/index")
     apt-get "${options[@]}" update
-    apt-get "${options[@]}" source "$1" >/dev/null
+    apt-get "${options[@]}" source "$@" >/dev/null
 }
 
 # Headers of Debian that need no library, without those of its C library, which are not for this machine;
@@ -67,10 +67,10 @@ root() { # place
     build/venv/uv/bin/pip download --quiet --disable-pip-version-check --no-deps --no-binary :all: --require-hashes \
         -r scripts/requirements/app_sources.txt -d "$into/sources"
     tar -x -f "$into"/sources/pugixml-*.tar.gz -C "$into/sources" --strip-components 1
-    (cd "$into/sources" && debian_source zlib)
+    (cd "$into/sources" && debian_sources zlib minizip)
     cmake -S cmake/wasm/runtime -B "$into/runtime" -G Ninja -Wno-dev "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release \
         "-DCMAKE_INSTALL_PREFIX=$1" "-DTAUT_PUGIXML=$into/sources/src/third_party/pugixml/src" \
-        "-DTAUT_ZLIB=$(echo "$into"/sources/zlib-*/)" >/dev/null
+        "-DTAUT_ZLIB=$(echo "$into"/sources/zlib-*/)" "-DTAUT_MINIZIP=$(echo "$into"/sources/minizip-*/)" >/dev/null
     cmake --build "$into/runtime" -- --quiet
     cmake --install "$into/runtime" >/dev/null
 }
@@ -115,8 +115,8 @@ program() { # place
     scripts/app_licences.py "$zig" "$hdf5" "$rust" "$1/licences.json"
 }
 
-mapfile -t headers < <(dpkg --search /usr/include/{fmt,fast_float,nlohmann,CLI,valijson,eigen3/Eigen,boost,minizip}/ | cut --delimiter : --fields 1)
-root="$(place root < <(dpkg-query --show "${headers[@]}" && cat cmake/wasm/{toolchain.cmake,Platform/*,runtime/*} scripts/requirements/app*.txt))"
+mapfile -t headers < <(dpkg --search /usr/include/{fmt,fast_float,nlohmann,CLI,valijson,eigen3/Eigen,boost,minizip}/ /usr/include/zlib.h | cut --delimiter : --fields 1)
+root="$(place root < <(declare -f debian_sources && dpkg-query --show "${headers[@]}" && cat cmake/wasm/{toolchain.cmake,Platform/*,runtime/*} scripts/requirements/app*.txt))"
 hdf5="$(place hdf5 < <(echo "$root" && cat packaging/hdf5/{build.sh,Cargo.lock}))"
 std="$(depends_on libstd-rust-web-dev libstd-rust-web-)"
 if [[ -z "$std" ]]; then

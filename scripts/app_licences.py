@@ -24,6 +24,7 @@ HEADERS = (
     "nlohmann/json.hpp",
     "pugixml.hpp",
     "valijson/validator.hpp",
+    "zlib.h",
 )
 
 

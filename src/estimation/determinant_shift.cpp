@@ -12,6 +12,7 @@
 #include "estimation/marginal_mode.hpp"
 #include "estimation/prestress_shift.hpp"
 #include "numerics/parallel.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {

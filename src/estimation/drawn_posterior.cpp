@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "taut/statics/energy.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {

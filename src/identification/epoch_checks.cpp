@@ -49,6 +49,7 @@ void check_options(const CableNet& net, std::span<const Epoch> epochs,
     }
     static_cast<void>(reported_epoch(epochs));
     check_uncertain_parameters(net, options.uncertain);
+    check_forces(net, options.forces);
     (void)force_unit_warning(net, options.forces.measurements);
     const double steps = std::sqrt(static_cast<double>(epochs.size()) - 1.0);
     if (const double creep = std_of(options.uncertain, UncertainParameter::Kind::creep);

@@ -82,6 +82,26 @@ TEST_F(ForceMeasurements, InAUnitThatIsMostLikelyAnotherAreNamed) {
     EXPECT_THAT([&] { (void)found({.measurements = cells_at(1e-3)}); },
                 testing::ThrowsMessage<std::invalid_argument>(
                     testing::HasSubstr("most likely the unit is kN")));
+    std::vector<ForceMeasurement> mixed = cells_at(0.1);  // a right sag hides no wrong cell
+    for (int edge = 4; edge < 7; ++edge) {
+        mixed.push_back(measured(edge, 0.01));
+        mixed.back().source = ForceSource::sag;
+    }
+    EXPECT_THAT(force_unit_warning(m_net, mixed), testing::HasSubstr("check the unit"));
+}
+
+// Of a net that is given as it lies before its loads, only its equilibrium shows tensions.
+TEST_F(ForceMeasurements, AreComparedWithTheDesignInEquilibrium) {
+    CableNetData data = m_net.data();
+    for (int edge = 0; edge < m_net.edge_count(); ++edge) {
+        const auto [s, t] = data.edges[edge];
+        data.unstressed_lengths(edge) = (data.nodes.col(s) - data.nodes.col(t)).norm();
+    }
+    data.loads.row(2).setConstant(-50.0);
+    const CableNet hanging(data);
+    const Equilibrium loaded = solve_equilibrium(hanging);
+    const double truth = tensions(hanging, hanging.unstressed_lengths(), loaded.form)(3);
+    EXPECT_EQ(force_unit_warning(hanging, {{.edge = 3, .tension = truth, .std = 1.0}}), "");
 }
 
 TEST_F(ForceMeasurements, AddWhatIsPredicted) {

@@ -33,6 +33,8 @@ export const roles: Record<Role, { label: string; command?: string; option?: str
 export interface Input {
   role: Role;
   bytes: Uint8Array;
+  /** Files whose roles this one's changed when it took its own: they get these again when it takes another. */
+  displaced?: { name: string; role: Role }[];
 }
 
 export interface Job {
@@ -132,15 +134,23 @@ export const namedIn = ({ inputs }: Job, role: Role): string | undefined => [...
 export const madePlan = ({ outputs }: Job): Pick<Plan, "turns" | "warnings"> =>
   (outputs[planFile] ? (JSON.parse(text(outputs[planFile])) as Plan) : { turns: [] });
 
-/** The start of a table. Of an Excel file all its text: what a cell holds stands on a line of its own. */
-function headOf(bytes: Uint8Array): string {
-  if (text(bytes.subarray(0, 4)) !== "PK\x03\x04") return text(bytes.subarray(0, 2000));
-  const mostText = 2 ** 22;
+const isZip = (bytes: Uint8Array): boolean => text(bytes.subarray(0, 4)) === "PK\x03\x04";
+
+/** The first rows of an Excel file's sheets, as CSV; empty where it is damaged, of which the program says what is wrong. */
+function rowsOf(bytes: Uint8Array): string {
+  const mostBytes = 2 ** 24;
+  const mostRows = 50;
+  const plain = (xml: string): string => xml.replace(/<[^>]*>/g, "").replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&");
   try {
-    const parts = unzipSync(bytes, { filter: ({ name, originalSize }) => /sharedStrings|worksheets\//.test(name) && originalSize < mostText });
-    return Object.values(parts).map((part) => text(part).replace(/<[^>]*>/g, "\n").replace(/\n+/g, "\n")).join("");
+    const parts = Object.entries(unzipSync(bytes, { filter: ({ name, originalSize }) => /sharedStrings|worksheets\/[^/]+$/.test(name) && originalSize < mostBytes }))
+      .map(([name, part]) => [name, text(part)] as const);
+    const shared = parts.filter(([name]) => name.includes("sharedStrings")).flatMap(([, xml]) => [...xml.matchAll(/<si\b.*?<\/si>/gs)].map(([one]) => plain(one)));
+    const cell = (xml: string): string => (/^<c\b[^>]*\bt="s"/.test(xml) ? shared[Number(plain(xml))] ?? "" : plain(xml));
+    return parts.filter(([name]) => !name.includes("sharedStrings"))
+      .flatMap(([, xml]) => [...xml.matchAll(/<row\b.*?<\/row>/gs)].slice(0, mostRows))
+      .map(([row]) => [...row.matchAll(/<c\b[^>]*\/>|<c\b.*?<\/c>/gs)].map(([one]) => cell(one)).join(",")).join("\n");
   } catch {
-    return "";  // the program says what is wrong
+    return "";
   }
 }
 
@@ -151,7 +161,8 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   const known = formatOf(name, bytes);
   if (known?.startsWith("taut-") && known !== "taut-net") throw new Error(`${name} is a ${known} file, expected a net, a survey or a job: results are made here`);
   if (known !== null) return "net";
-  const head = headOf(bytes);
+  const table = isZip(bytes) ? rowsOf(bytes) : text(bytes.subarray(0, 100_000));
+  const head = table.slice(0, 2000);
   if (/\bstroke(_mm)?\b/.test(head)) return "turned";
   if (/^\s*edge\W+tension\W+tolerance\b/m.test(head)) return "tensions";
   if (/^\s*edge\W+tension\b/m.test(head)) return "forces";
@@ -161,7 +172,7 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   if (/^.*\bz\b.*\bis_free\b/m.test(head)) return "net";
   if (/^(?!.*\bx\b).*\b(q|q0|qopt|l0|EA)\b/m.test(head.split("\n", 1)[0]!)) return "edges";
   // What has no three numbers in a row of a table holds no points.
-  if (/\.(csv|txt|tsv|asc|xyz|pts)$/i.test(name) && !/(^|[\s,;])[-+]?[.\d][\d.,e+-]*[\s,;]+[-+]?[.\d][\d.,e+-]*[\s,;]+[-+]?[.\d]/m.test(text(bytes.subarray(0, 100_000)))) return "none";
+  if (/\.(csv|txt|tsv|asc|xyz|pts|xlsx)$/i.test(name) && table && !/(^|[\s,;])[-+]?[.\d][\d.,e+-]*[\s,;]+[-+]?[.\d][\d.,e+-]*[\s,;]+[-+]?[.\d]/m.test(table)) return "none";
   const isLater = job.outputs[planFile] || namedIn(job, "later") !== undefined || namedIn(job, "turned") !== undefined;
   return namedIn(job, "survey") !== undefined && isLater ? "later" : "survey";
 }
@@ -175,17 +186,19 @@ function freeName(job: Job, name: string): string {
 }
 
 /** Whether the program writes a file of that name. */
-const isMade = (name: string): boolean => [netFile, resultFile, planFile, turnsFile, "report.html", "result_draws.h5"].includes(name);
+export const isMade = (name: string): boolean => [netFile, resultFile, planFile, turnsFile, "report.html", "result_draws.h5"].includes(name);
 
 /** Turns that are ticked off become a file; nothing where there are none. @param before what it comes before, or the end */
-export function fileMade(job: Job, role: Role, before?: string): void {
+export function fileMade(job: Job, role: Role, before?: string): string | undefined {
   const turned = turnedCsv(madePlan(job), job.notes.strokes);
   delete job.notes.strokes;
-  if (turned === null) return;
+  if (turned === null) return undefined;
   const after = [...job.inputs];
   const place = before === undefined ? after.length : after.findIndex(([name]) => name === before);
-  after.splice(place, 0, [freeName(job, "turned.csv"), { role, bytes: new TextEncoder().encode(turned) }]);
+  const name = freeName(job, "turned.csv");
+  after.splice(place, 0, [name, { role, bytes: new TextEncoder().encode(turned) }]);
   job.inputs = new Map(after);
+  return name;
 }
 
 /** Roles of which a job has many files; of the others it has one, the last. */
@@ -193,11 +206,27 @@ const many: Role[] = ["later", "turned", "check", "none"];
 
 /** Gives a file its role. What is ticked off counts as turned before a later survey, unless a file says what was. */
 export function setRole(job: Job, name: string, role: Role): void {
-  if (!many.includes(role)) for (const input of job.inputs.values()) if (input.role === role) input.role = "none";
-  job.inputs.get(name)!.role = role;
-  if (role !== "later") return;
-  const before = [...job.inputs].slice(0, [...job.inputs.keys()].indexOf(name)).map(([, input]) => input.role);
-  if (before.lastIndexOf("turned") <= before.lastIndexOf("later")) fileMade(job, "turned", name);
+  const input = job.inputs.get(name)!;
+  if (input.role === role) return;
+  for (const before of input.displaced ?? []) {
+    const other = job.inputs.get(before.name);
+    if (other) other.role = before.role;
+  }
+  const displaced: Input["displaced"] = [];
+  if (!many.includes(role)) {
+    for (const [other, one] of job.inputs) {
+      if (other === name || one.role !== role) continue;
+      displaced.push({ name: other, role });
+      one.role = "none";
+    }
+  }
+  input.role = role;
+  if (role === "later") {
+    const before = [...job.inputs].slice(0, [...job.inputs.keys()].indexOf(name)).map(([, one]) => one.role);
+    const made = before.lastIndexOf("turned") <= before.lastIndexOf("later") ? fileMade(job, "turned", name) : undefined;
+    if (made !== undefined) displaced.push({ name: made, role: "none" });
+  }
+  input.displaced = displaced;
 }
 
 /**
@@ -207,7 +236,9 @@ export function setRole(job: Job, name: string, role: Role): void {
 export function addFile(job: Job, name: string, bytes: Uint8Array, isNext = false): void {
   const safe = name.replace(/[:/\\]/g, "_").replace(/^-/, "_");
   const guessed = guessedRole(safe, bytes, job);
-  const role = guessed === "survey" && isNext && namedIn(job, "survey") !== undefined ? "later" : guessed;
+  // Beside lengths a table of points may be a target or loads as well. The next survey has a place of its own.
+  const isUnsure = ["survey", "later"].includes(guessed) && !isNext && job.outputs[resultFile] !== undefined && job.inputs.get(safe)?.role !== "survey";
+  const role = isUnsure ? "none" : guessed === "survey" && isNext && namedIn(job, "survey") !== undefined ? "later" : guessed;
   const isTaken = isMade(safe) && !(safe === netFile && !isForeign(safe, bytes));
   const own = role === "later" || role === "turned" || isTaken ? freeName(job, safe) : safe;
   job.inputs.delete(own);

@@ -10,11 +10,11 @@ import { plainTable } from "../src/plain_table";
 import type { Identification } from "../src/result";
 import { Frames } from "./frames";
 import {
-  addFile, contentOf, epochWords, fileMade, guessedRole, isForeign, type Job, jobText, madePlan, namedIn, netFile, newJob, planFile, readJob, resultFile, type Role, roles, roleWords,
+  addFile, contentOf, epochWords, fileMade, guessedRole, isForeign, isMade, type Job, jobText, madePlan, namedIn, netFile, newJob, planFile, readJob, resultFile, type Role, roles, roleWords,
   setRole, text, turnsFile,
 } from "./job";
 import { Cancelled, module, run } from "./program";
-import { fields as settingFields, forceSettings, identifySettings, importSettings, inFields, planSettings, type Setting, shown, suggestSettings, wordsOf } from "./settings";
+import { fields as settingFields, forceSettings, identifySettings, importSettings, inFields, planSettings, readingWords, type Setting, shown, suggestSettings, wordsOf } from "./settings";
 import { keep, keptJob } from "./store";
 import { Work } from "./work";
 
@@ -86,7 +86,11 @@ async function saveForExcel(result: string): Promise<void> {
 async function command(work: Work, words: string[]): Promise<{ out: string; warnings: string[] }> {
   work.showCommand(shown(words));
   const { code, out, err, files } = await run(words, filesOf(), work);
-  Object.assign(job.outputs, files);
+  // What further options let the program write is no part of the job.
+  for (const [name, bytes] of Object.entries(files)) {
+    if (isMade(name)) job.outputs[name] = bytes;
+    else save(name, bytes);
+  }
   changed();
   work.showOutput(out, err);
   if (code !== 0 && Object.keys(files).length === 0) throw new Error(inFields(err.trim()) || `the program ended with ${code}`);
@@ -105,7 +109,10 @@ const lastSurvey = (): string | undefined => [...job.inputs].filter(([, { role }
 /** Options of inspect that give the last survey, and what is set of it. */
 function surveyWords(survey: string, taken: string[]): string[] {
   const control = named("control");
-  return ["--survey", survey, ...(control ? ["--control", control] : []), ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), job.settings)];
+  const noise = job.settings["--noise"] === "estimate" ? {} : { "--noise": job.settings["--noise"] ?? "" };  // from a fit alone
+  return ["--survey", survey, ...(control ? ["--control", control] : []),
+    ...wordsOf(identifySettings.filter(({ option }) => taken.includes(option)), { ...job.settings, "--noise": "", ...noise }),
+    ...readingWords(wordsOf(identifySettings.filter(({ isWords }) => isWords), job.settings))];
 }
 
 async function read(work: Work): Promise<string> {
@@ -141,6 +148,8 @@ async function suggest(work: Work): Promise<string> {
     value == null ? "–" : kind === "frequency" ? `${value.toPrecision(3)} Hz` : ["load-cell", "load"].includes(kind) ? `${(value / 1e3).toPrecision(3)} kN` : `${(1e3 * value).toPrecision(3)} mm`;
   byId("suggestions").replaceChildren(plainTable("Measurements that would tell most", ["measure", "at", "expected", "to within", `std left [${unit}]`],
     steps.map(({ kind, id, expected, measurement_std, remaining_std }) => [kind.replace("-", " "), id, amount(expected, kind), amount(measurement_std, kind), (factor * remaining_std).toPrecision(3)])),
+  ...(steps.length === 0 ? ["Nothing that can be measured lowers it by 1 %."] : []).map((text) => h("p", {}, text)),
+  ...(named("frequencies") ?? named("sag") ? ["The measured frequencies and sags are not taken into account."] : []).map((text) => h("p", { class: "quiet" }, text)),
   ...left_out.map((text) => h("p", { class: "quiet" }, `Not suggested: ${text}.`)));
   return `Standard deviation of the ${quantity.replace("-", " ")} now: ${(factor * std).toPrecision(3)} ${unit}.`;
 }
@@ -226,8 +235,25 @@ function showMade(): void {
 /** Ends what belongs to other files. */
 let ofFiles = new AbortController();
 
+/** What lengths depend on: not files for plans alone, nor those that are not used. */
+const lengthInputs = (): unknown[] =>
+  [...job.inputs].filter(([, { role }]) => role !== "none" && roles[role].command !== "plan").flatMap(([name, { role, bytes }]) => [name, role, bytes]);
+
+/** Those of the last results. */
+let usedInputs: unknown[] = [];
+
 /** Results of other files are gone. */
 function filesChanged(): void {
+  const inputs = lengthInputs();
+  const isForPlans = inputs.length > 0 && inputs.length === usedInputs.length && inputs.every((one, i) => one === usedInputs[i]);
+  usedInputs = inputs;
+  if (isForPlans) {
+    forget("turns");
+    planning.clear();
+    showFiles();
+    changed();
+    return;
+  }
   ofFiles.abort();
   ofFiles = new AbortController();
   forget("lengths");
@@ -263,6 +289,8 @@ async function take(files: Iterable<File>, isNext: boolean): Promise<void> {
   const isTurned = ([name, bytes]: [string, Uint8Array]): boolean => guessedRole(name, bytes, job) === "turned";
   for (const [name, bytes] of [...read.filter(isTurned), ...read.filter((one) => !isTurned(one))]) addFile(job, name, bytes, isNext);
   filesChanged();
+  const unused = [...job.inputs].filter(([, { role, bytes }]) => role === "none" && read.some(([, one]) => one === bytes)).map(([name]) => name);
+  if (unused.length > 0) throw new Error(`${unused.join(", ")}: not used yet. Choose in the list what it is.`);
 }
 
 async function open(opened: Job): Promise<void> {

@@ -16,6 +16,8 @@ export interface Setting {
   choices?: string[];
   /** It holds options as on the command line. */
   isWords?: boolean;
+  /** Each word in it is a value of the option's own. */
+  isRepeated?: boolean;
 }
 
 const further = (command: string): Setting => ({ option: `further ${command} options`, label: "Further options", preset: "none", hint: `as taut ${command} takes them`, isWords: true });
@@ -23,7 +25,7 @@ const further = (command: string): Setting => ({ option: `further ${command} opt
 export const identifySettings: Setting[] = [
   { option: "--noise", unit: "mm", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate, where the file has none: 0.5mm" },
   { option: "--prior", label: "Fabrication tolerance (prior)", preset: "a broad one around uniform:5mm", hint: "uniform:5mm, normal:2mm, bimodal:5mm" },
-  { option: "--uncertain", label: "Uncertain parameters", preset: "those of an ordinary site", hint: "stiffness:5% supports:2mm, or none" },
+  { option: "--uncertain", isRepeated: true, label: "Uncertain parameters", preset: "those of an ordinary site", hint: "stiffness:5% supports:2mm, or none" },
   { option: "--offset", unit: "mm", label: "Offset of the targets", preset: "0mm", hint: "from the cable's axis, and its standard deviation: 3mm:0.2mm" },
   { option: "--unit", label: "Unit of the coordinates", preset: "the file's, or by its extent", choices: ["m", "mm", "cm", "ft", "us-ft", "in"] },
   { option: "--frame", label: "Coordinate system", preset: "auto", choices: ["net", "supports"] },
@@ -32,8 +34,8 @@ export const identifySettings: Setting[] = [
 ];
 
 export const planSettings: Setting[] = [
-  { option: "--tension", unit: "kN", label: "Limits of tension", preset: "no edge slack", hint: "1.5kN..10kN, several apart by blanks" },
-  { option: "--reaction", unit: "kN", label: "Largest force at a support", preset: "any", hint: "20kN" },
+  { option: "--tension", isRepeated: true, unit: "kN", label: "Limits of tension", preset: "no edge slack", hint: "1.5kN..10kN, several apart by blanks" },
+  { option: "--reaction", isRepeated: true, unit: "kN", label: "Largest force at a support", preset: "any", hint: "20kN" },
   { option: "--stroke", unit: "mm", label: "Largest change of length", preset: "15mm", hint: "of a turnbuckle from where it is now" },
   { option: "--turn", unit: "mm", label: "Change of length by one turn", preset: "lengths alone", hint: "pitch: 5mm" },
   { option: "--step", label: "Smallest part of a turn", preset: "any", hint: "1/4; needs the pitch" },
@@ -41,7 +43,7 @@ export const planSettings: Setting[] = [
   { option: "--tolerance", unit: "mm", label: "Good enough", preset: "as near as can be", hint: "RMS along the normal: 2mm; then the fewest turns" },
   { option: "--crews", label: "Crews", preset: "1" },
   { option: "--stages", label: "Stages", preset: "all at once", hint: "groups of the net in turn: ridge:50%, valley, ridge" },
-  { option: "--target-tension", unit: "kN", label: "Target tension", preset: "none", hint: "12kN:5%, that of a group 12kN:5%@ridge" },
+  { option: "--target-tension", isRepeated: true, unit: "kN", label: "Target tension", preset: "none", hint: "12kN:5%, that of a group 12kN:5%@ridge" },
   { option: "--suggest-adjustable", label: "Further edges to suggest", preset: "none", hint: "3: those that would help most if they could be turned" },
   { option: "--suggest-targets", unit: "mm", label: "Further targets to suggest", preset: "none", hint: "surveyed to 0.5mm before turning" },
   further("plan"),
@@ -50,7 +52,7 @@ export const planSettings: Setting[] = [
 /** Of further measurements. */
 export const suggestSettings: Setting[] = [
   { option: "--suggest", label: "They are to determine", preset: "mean-tension", choices: ["worst-tension", "form"] },
-  { option: "--cost", label: "Cost of one measurement", preset: "1 each", hint: "load-cell:5 frequency:1 sag:2 target:1 load:8" },
+  { option: "--cost", isRepeated: true, label: "Cost of one measurement", preset: "1 each", hint: "load-cell:5 frequency:1 sag:2 target:1 load:8" },
 ];
 
 /** Of force measurements. */
@@ -87,16 +89,37 @@ export function fields(settings: Setting[], values: Record<string, string>, chan
   }));
 }
 
+/** Words apart by blanks, or in quotes. Throws where a quote does not end. */
+function shellWords(line: string, label: string): string[] {
+  const word = /\s*(?:"([^"]*)"|'([^']*)'|([^\s"']+))(?=\s|$)/y;
+  const words: string[] = [];
+  const end = line.trimEnd();
+  for (let at = 0; at < end.length; at = word.lastIndex) {
+    word.lastIndex = at;
+    const found = word.exec(end);
+    if (!found) throw new Error(`${label}: cannot be split into words from ${end.slice(at).trim()} on. Is a quote open?`);
+    words.push(found[1] ?? found[2] ?? found[3]!);
+  }
+  return words;
+}
+
+/** Those of some words that are options which decide how a survey is read, with what is given to them. */
+export function readingWords(words: string[]): string[] {
+  const taken = ["--format", "--columns", "--separator", "--decimal", "--encoding", "--match", "--offsets", "--angle", "--range"];
+  return words.filter((word, i) => taken.includes(word.replace(/=.*/, "")) || (!word.startsWith("--") && taken.includes(words[i - 1] ?? "")));
+}
+
 /** The words of the command line for what was set. Throws for a number that lacks its unit. */
 export function wordsOf(settings: Setting[], values: Record<string, string>): string[] {
-  return settings.flatMap(({ option, label, unit, isWords }) => {
+  return settings.flatMap(({ option, label, unit, isWords, isRepeated }) => {
+    if (isWords) return shellWords(values[option] ?? "", label);
     const value = values[option]?.replace(/\s*,\s*/g, ",");
     if (!value) return [];
-    if (isWords) return (value.match(/(?:"[^"]*"|'[^']*'|[^\s"'])+/g) ?? []).map((word) => word.replace(/["']/g, ""));
     // The program would take a bare number in SI units.
-    const bare = value.split(/\s+|\.\.|:|@.*$/).find((part) => /^[-+]?(\d+[.,]?\d*|[.,]\d+)$/.test(part) && Number(part) !== 0);
+    const bare = value.split(/\s+|\.\.|:|@\S*/).find((part) => /^[-+]?(\d+[.,]?\d*|[.,]\d+)$/.test(part) && Number(part) !== 0);
     if (unit && bare !== undefined) throw new Error(`${label}: ${bare} has no unit. Write ${bare}${unit}, say.`);
-    return [option, ...value.split(/\s+/)];
+    const words = value.split(/\s+/);
+    return isRepeated ? words.flatMap((word) => [option, word]) : [option, ...words];
   });
 }
 

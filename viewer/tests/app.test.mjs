@@ -131,6 +131,7 @@ test("two dropped files become lengths and a list of turns, and a job that opens
   await page.waitForSelector("#read [data-state=done]");
   assert.match(await page.textContent("#read .output"), /survey survey\.csv: \d+ free nodes/);
   await page.click("#suggest summary");
+  await page.fill('[name="--cost"]', "load-cell:5 frequency:1 sag:2 target:1 load:50");
   await page.dispatchEvent("#do-suggest", "click");
   await page.waitForSelector("#suggest [data-state=done]");
   assert.match(await page.textContent("#suggest .status"), /Standard deviation of the mean tension now: [\d.]+ % of the mean tension\.$/);
@@ -152,6 +153,21 @@ test("two dropped files become lengths and a list of turns, and a job that opens
   native("export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx");
   const [list] = await Promise.all([page.waitForEvent("download"), page.click("#turns >> text=Save for Excel")]);
   assert.ok(readFileSync(await list.path()).equals(file("turns.xlsx")));
+  const [lengthsFile] = await Promise.all([page.waitForEvent("download"), page.click("#lengths >> text=Save for Excel")]);
+  native("export", "result.json", "--to", "xlsx", "-o", "lengths.xlsx");
+  assert.equal(readFileSync(await lengthsFile.path()).subarray(0, 4).toString(), file("lengths.xlsx").subarray(0, 4).toString());
+  // A file for plans alone leaves the lengths as they are.
+  const loaded = JSON.parse(file("net.json")).nodes.map((_, node) => node).filter((node) => !JSON.parse(file("net.json")).supports.includes(node)).slice(0, 5);
+  writeFileSync(join(folder, "snow.csv"), `id,x,y,z\n${loaded.map((node) => `${node},0,0,-10\n`).join("")}`);
+  await drop(page, "#drop", ["snow.csv"]);
+  await page.waitForFunction(() => document.querySelector("#problem").textContent.startsWith("snow.csv: not used yet."));
+  await page.selectOption("#files li:last-child select", "check");
+  assert.deepEqual(await page.locator("#files select").evaluateAll((all) => all.map(({ value }) => value)), ["net", "survey", "check"]);
+  assert.equal(await page.locator("#lengths iframe").count(), 1);
+  for (const [option, value] of [["--target-tension", "4.5kN:50%"], ["--suggest-targets", "0.5mm"], ["further plan options", "--objective largest"]]) await page.fill(`[name="${option}"]`, value);
+  await page.dispatchEvent("#do-plan", "click");
+  await page.waitForSelector("#planning [data-state=done]");
+  assert.match(await page.textContent("#planning .commands"), /--check snow\.csv .*--target-tension 4\.5kN:50% --suggest-targets 0\.5mm --objective largest/);
 
   const [job] = await Promise.all([page.waitForEvent("download"), page.click("#save-job")]);
   await job.saveAs(join(folder, "job.json"));

@@ -16,7 +16,7 @@ async function bundled(entry) {
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 }
 const { addFile, epochWords, fileMade, newJob, setRole, text } = await bundled("../app/job.ts");
-const { identifySettings, inFields, planSettings, wordsOf } = await bundled("../app/settings.ts");
+const { inFields, planSettings, readingWords, wordsOf } = await bundled("../app/settings.ts");
 const { numberOf, turnedCsv } = await bundled("../src/as_made.ts");
 
 const bytes = (content) => new TextEncoder().encode(content);
@@ -100,18 +100,55 @@ test("messages of the program name the fields of the page", () => {
 
 test("an Excel file is known by what stands in it, a damaged one is left to the program", () => {
   const job = newJob();
-  const sheet = (...cells) => zipSync({ "xl/worksheets/sheet1.xml": strToU8(cells.map((cell) => `<c t="inlineStr"><is><t>${cell}</t></is></c>`).join("")) });
+  const cells = (row) => row.map((cell) => (typeof cell === "number" ? `<c r="A1"><v>${cell}</v></c>` : `<c t="inlineStr"><is><t>${cell}</t></is></c>`)).join("");
+  const excel = (...rows) => zipSync({ "xl/worksheets/sheet1.xml": strToU8(`<sheetData>${rows.map((row) => `<row>${cells(row)}</row>`).join("")}</sheetData>`) });
+  const shared = zipSync({
+    "xl/worksheets/sheet1.xml": strToU8('<row r="1"><c r="A1" t="s"><v>1</v></c><c r="B1" t="s"><v>0</v></c></row>'),
+    "xl/sharedStrings.xml": strToU8("<sst><si><t>tension</t></si><si><r><t>ed</t></r><r><t>ge</t></r></si></sst>"),
+  });
   addFile(job, "survey.xlsx", readFileSync(new URL("../../tests/data/surveys/excel.xlsx", import.meta.url)));
-  addFile(job, "made.xlsx", sheet("number", "edge", "stroke_mm"));
-  addFile(job, "cells.xlsx", sheet("edge", "tension"));
-  addFile(job, "goals.xlsx", sheet("edge", "tension", "tolerance"));
-  addFile(job, "cut.xlsx", sheet("edge", "tension").slice(0, 40));
-  assert.deepEqual(filesOf(job), ["survey.xlsx survey", "made.xlsx turned", "cells.xlsx forces", "goals.xlsx tensions", "cut.xlsx later"]);
+  addFile(job, "made.xlsx", excel(["number", "edge", "stroke_mm"], [1, "7", 2]));
+  addFile(job, "nodes.xlsx", excel(["id", "x", "y", "z", "is_free"], ["a", 1, 2, 3, 1]));
+  addFile(job, "edges.xlsx", excel(["id", "from", "to", "l0", "EA"], ["e", "a", "b", 2, 1e5]));
+  addFile(job, "cells.xlsx", shared);
+  addFile(job, "goals.xlsx", excel(["edge", "tension", "tolerance"], ["7", 1, 2]));
+  addFile(job, "list.xlsx", excel(["edge"], ["7"], ["8"]));
+  assert.deepEqual(filesOf(job), ["survey.xlsx survey", "made.xlsx turned", "nodes.xlsx net", "edges.xlsx edges", "cells.xlsx forces", "goals.xlsx tensions", "list.xlsx none"]);
+  addFile(job, "cut.xlsx", excel(["edge", "tension"]).slice(0, 40));
+  assert.match(filesOf(job).at(-1), /^cut\.xlsx (survey|later)$/);
+});
+
+test("a file that takes another role gives back what its arrival took", () => {
+  const job = newJob();
+  addFile(job, "survey.csv", survey);
+  addFile(job, "snow.csv", survey);
+  assert.deepEqual(filesOf(job), ["survey.csv none", "snow.csv survey"]);
+  setRole(job, "snow.csv", "check");
+  assert.deepEqual(filesOf(job), ["survey.csv survey", "snow.csv check"]);
+  const later = planned();
+  addFile(later, "snow.csv", survey);
+  setRole(later, "snow.csv", "check");
+  assert.deepEqual(filesOf(later), ["net.json net", "survey.csv survey", "turned.csv none", "snow.csv check"]);
+  assert.deepEqual(epochWords(later), []);
+});
+
+test("beside lengths a table of points waits for its role, but for the same survey again and the next one", () => {
+  const job = newJob();
+  addFile(job, "survey.csv", survey);
+  job.outputs["result.json"] = bytes("{}");
+  addFile(job, "snow.csv", survey);
+  addFile(job, "survey.csv", survey);
+  assert.deepEqual(filesOf(job), ["snow.csv none", "survey.csv survey"]);
+  addFile(job, "second.csv", survey, true);
+  assert.equal(filesOf(job).at(-1), "second.csv later");
 });
 
 test("settings become words, further options as in a shell, commas as the program wants them", () => {
-  assert.deepEqual(wordsOf(planSettings, { "--stages": "ridge:50% , valley", "further plan options": `--objective largest --check "my loads.csv"` }),
-    ["--stages", "ridge:50%,valley", "--objective", "largest", "--check", "my loads.csv"]);
-  assert.deepEqual(wordsOf(identifySettings, { "further identify options": "--slack 3" }), ["--slack", "3"]);
-  assert.throws(() => wordsOf(planSettings, { "--target-tension": "12@ridge" }), /^Error: Target tension: 12 has no unit/);
+  const words = (line) => wordsOf(planSettings, { "further plan options": line });
+  assert.deepEqual(wordsOf(planSettings, { "--stages": "ridge:50% , valley" }), ["--stages", "ridge:50%,valley"]);
+  assert.deepEqual(words(`--objective largest --check "snow, 2nd's.csv"`), ["--objective", "largest", "--check", "snow, 2nd's.csv"]);
+  assert.throws(() => words('--check "my loads.csv'), /^Error: Further options: cannot be split into words from "my loads\.csv on/);
+  assert.deepEqual(wordsOf(planSettings, { "--tension": "1kN..9kN@a 2kN..3kN@b" }), ["--tension", "1kN..9kN@a", "--tension", "2kN..3kN@b"]);
+  assert.throws(() => wordsOf(planSettings, { "--target-tension": "12kN:5%@ridge 14@valley" }), /^Error: Target tension: 14 has no unit/);
+  assert.deepEqual(readingWords(["--columns", "id,x,y,z", "--slack", "s.csv", "--match=name", "--names", "n.csv"]), ["--columns", "id,x,y,z", "--match=name"]);
 });
