@@ -143,15 +143,15 @@ async function suggest(work: Work): Promise<string> {
   const { out } = await command(work, ["inspect", netName(), ...surveyWords(survey, ["--noise", "--unit", "--frame", "--offset", "--prior", "--uncertain"]),
     ...(forces ? ["--forces", forces, ...wordsOf(forceSettings, job.settings)] : []), ...wordsOf(suggestSettings, { ...job.settings, "--suggest": job.settings["--suggest"] || "mean-tension" }), "--json"]);
   const { quantity, mean_tension: mean, std, steps, left_out } = (JSON.parse(out) as { survey: { suggestions: Suggestions } }).survey.suggestions;
-  const [factor, unit] = quantity === "form" ? [1e3, "mm"] : mean ? [100 / mean, "% of the mean tension"] : [1e-3, "kN"];
+  const [factor, unit] = quantity === "form" ? [1e3, "mm"] : mean ? [100 / mean, "%"] : [1e-3, "kN"];
   const amount = (value: number | null | undefined, kind: string): string =>
-    value == null ? "–" : kind === "frequency" ? `${value.toPrecision(3)} Hz` : ["load-cell", "load"].includes(kind) ? `${(value / 1e3).toPrecision(3)} kN` : `${(1e3 * value).toPrecision(3)} mm`;
+    value == null ? "–" : kind === "frequency" ? `${value.toPrecision(3)}\u00a0Hz` : ["load-cell", "load"].includes(kind) ? `${(value / 1e3).toPrecision(3)}\u00a0kN` : `${(1e3 * value).toPrecision(3)}\u00a0mm`;
   byId("suggestions").replaceChildren(plainTable("Measurements that would tell most", ["measure", "at", "expected", "to within", `std left [${unit}]`],
     steps.map(({ kind, id, expected, measurement_std, remaining_std }) => [kind.replace("-", " "), id, amount(expected, kind), amount(measurement_std, kind), (factor * remaining_std).toPrecision(3)])),
   ...(steps.length === 0 ? ["Nothing that can be measured lowers it by 1 %."] : []).map((text) => h("p", {}, text)),
   ...(named("frequencies") ?? named("sag") ? ["The measured frequencies and sags are not taken into account."] : []).map((text) => h("p", { class: "quiet" }, text)),
   ...left_out.map((text) => h("p", { class: "quiet" }, `Not suggested: ${text}.`)));
-  return `Standard deviation of the ${quantity.replace("-", " ")} now: ${(factor * std).toPrecision(3)} ${unit}.`;
+  return `Standard deviation of the ${quantity.replace("-", " ")} now: ${(factor * std).toPrecision(3)} ${unit}${unit === "%" ? " of the mean tension" : ""}.`;
 }
 
 const ticks = (): number => (job.notes.strokes ?? []).filter((stroke) => stroke !== null).length;

@@ -138,7 +138,7 @@ test("two dropped files become lengths and a list of turns, and a job that opens
   await page.dispatchEvent("#do-suggest", "click");
   await page.waitForSelector("#suggest [data-state=done]");
   assert.match(await page.textContent("#suggest .status"), /Standard deviation of the mean tension now: [\d.]+ % of the mean tension\.$/);
-  assert.match((await page.locator("#suggestions tbody tr").allTextContents()).join("|"), /^(load cell\d+[\d.]+ kN[\d.]+ kN[\d.]+\|?)+$/);
+  assert.match((await page.locator("#suggestions tbody tr").allTextContents()).join("|"), /^(load cell\d+[\d.]+\skN[\d.]+\skN[\d.]+\|?)+$/);
   for (const [option, value] of [["--noise", "0.5mm"], ["--prior", "uniform:5mm"], ["--draws", "200"]]) await page.fill(`[name="${option}"]`, value);
   await page.dispatchEvent("#do-identify", "click");
   await page.waitForSelector("#identification [data-state=done]");
