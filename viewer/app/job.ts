@@ -3,9 +3,9 @@
 //
 // A job: its files, what was set, and what came out, in one file that can be saved and mailed.
 
+import { unzipSync } from "fflate";
 import { turnedCsv } from "../src/as_made";
 import { isNotes, type Notes } from "../src/notes";
-import { unzipSync } from "fflate";
 import type { Plan } from "../src/result";
 
 export type Role = "net" | "edges" | "supports" | "law" | "survey" | "control" | "forces" | "frequencies" | "sag" | "later" | "turned" | "target" | "tensions" | "check" | "adjustable" | "none";
@@ -136,19 +136,22 @@ export const madePlan = ({ outputs }: Job): Pick<Plan, "turns" | "warnings"> =>
 
 const isZip = (bytes: Uint8Array): boolean => text(bytes.subarray(0, 4)) === "PK\x03\x04";
 
-/** The first rows of an Excel file's sheets, as CSV; empty where it is damaged, of which the program says what is wrong. */
+/** The first rows of an Excel file's sheets, as CSV without empty cells; empty where it is damaged, of which the program says what is wrong. */
 function rowsOf(bytes: Uint8Array): string {
   const mostBytes = 2 ** 24;
   const mostRows = 50;
-  const plain = (xml: string): string => xml.replace(/<[^>]*>/g, "").replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&");
+  // Split and stripped in time that grows with the text alone, whatever stands in it.
+  const plain = (xml: string): string => xml.replace(/<[^<>]*>/g, "").replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&");
+  const parts = (xml: string, tag: string): string[] => xml.split(`</${tag}>`).slice(0, -1).map((part) => part.slice(Math.max(0, part.lastIndexOf(`<${tag}`))));
+  let size = 0;
   try {
-    const parts = Object.entries(unzipSync(bytes, { filter: ({ name, originalSize }) => /sharedStrings|worksheets\/[^/]+$/.test(name) && originalSize < mostBytes }))
+    const files = Object.entries(unzipSync(bytes, { filter: ({ name, originalSize }) => /sharedStrings|worksheets\/[^/]+$/.test(name) && (size += originalSize) < mostBytes }))
       .map(([name, part]) => [name, text(part)] as const);
-    const shared = parts.filter(([name]) => name.includes("sharedStrings")).flatMap(([, xml]) => [...xml.matchAll(/<si\b.*?<\/si>/gs)].map(([one]) => plain(one)));
-    const cell = (xml: string): string => (/^<c\b[^>]*\bt="s"/.test(xml) ? shared[Number(plain(xml))] ?? "" : plain(xml));
-    return parts.filter(([name]) => !name.includes("sharedStrings"))
-      .flatMap(([, xml]) => [...xml.matchAll(/<row\b.*?<\/row>/gs)].slice(0, mostRows))
-      .map(([row]) => [...row.matchAll(/<c\b[^>]*\/>|<c\b.*?<\/c>/gs)].map(([one]) => cell(one)).join(",")).join("\n");
+    const shared = files.filter(([name]) => name.includes("sharedStrings")).flatMap(([, xml]) => parts(xml, "si").map(plain));
+    const cell = (xml: string): string => (/^<c\b[^<>]*\bt="s"/.test(xml) ? shared[Number(plain(xml))] ?? "" : plain(xml));
+    return files.filter(([name]) => !name.includes("sharedStrings"))
+      .flatMap(([, xml]) => parts(xml, "row").slice(0, mostRows))
+      .map((row) => parts(row, "c").map(cell).join(",")).join("\n");
   } catch {
     return "";
   }
@@ -210,7 +213,9 @@ export function setRole(job: Job, name: string, role: Role): void {
   if (input.role === role) return;
   for (const before of input.displaced ?? []) {
     const other = job.inputs.get(before.name);
-    if (other) other.role = before.role;
+    // Unless it, or another file, has a role since.
+    const isFree = many.includes(before.role) || [undefined, name].includes(namedIn(job, before.role));
+    if (isFree && other?.role === (before.role === "none" ? "turned" : "none")) other.role = before.role;
   }
   const displaced: Input["displaced"] = [];
   if (!many.includes(role)) {

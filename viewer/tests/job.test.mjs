@@ -116,6 +116,9 @@ test("an Excel file is known by what stands in it, a damaged one is left to the 
   assert.deepEqual(filesOf(job), ["survey.xlsx survey", "made.xlsx turned", "nodes.xlsx net", "edges.xlsx edges", "cells.xlsx forces", "goals.xlsx tensions", "list.xlsx none"]);
   addFile(job, "cut.xlsx", excel(["edge", "tension"]).slice(0, 40));
   assert.match(filesOf(job).at(-1), /^cut\.xlsx (survey|later)$/);
+  for (const tag of ["<row ", "<c ", "<", "<row></row>"]) {  // hours, where each is looked for up to the end
+    addFile(job, "hostile.xlsx", zipSync({ "xl/worksheets/sheet1.xml": strToU8(tag.repeat(2 ** 20)) }));
+  }
 });
 
 test("a file that takes another role gives back what its arrival took", () => {
@@ -125,6 +128,14 @@ test("a file that takes another role gives back what its arrival took", () => {
   assert.deepEqual(filesOf(job), ["survey.csv none", "snow.csv survey"]);
   setRole(job, "snow.csv", "check");
   assert.deepEqual(filesOf(job), ["survey.csv survey", "snow.csv check"]);
+  addFile(job, "wind.csv", survey);
+  addFile(job, "third.csv", survey);
+  setRole(job, "wind.csv", "check");  // whose place another has taken since
+  assert.deepEqual(filesOf(job), ["survey.csv none", "snow.csv check", "wind.csv check", "third.csv survey"]);
+  setRole(job, "survey.csv", "survey");
+  setRole(job, "third.csv", "target");
+  setRole(job, "survey.csv", "none");
+  assert.deepEqual(filesOf(job), ["survey.csv none", "snow.csv check", "wind.csv check", "third.csv target"]);
   const later = planned();
   addFile(later, "snow.csv", survey);
   setRole(later, "snow.csv", "check");
