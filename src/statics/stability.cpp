@@ -28,21 +28,7 @@ double smallest_stiffness(const CableNet& net,
         factor.factorize(matrix);
         return factor.info() == Eigen::Success && (factor.vectorD().array() > 0.0).all();
     };
-    // Mostly stable: inverse iteration comes close from above, which the inertia then confirms.
-    if (exceeds(0.0)) {
-        constexpr int rounds = 40;
-        Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(matrix.rows(), [](Eigen::Index i) {
-            return std::sin(12.9898 * static_cast<double>(i + 1));
-        });
-        for (int round = 0; round < rounds; ++round) {
-            x = factor.solve(x).normalized();
-        }
-        const double quotient = x.dot(matrix * x);
-        if (exceeds((1.0 - accuracy) * quotient)) {
-            return quotient;
-        }
-    }
-    // In between, the size is found on a scale of logarithms.
+    // The size is found on a scale of logarithms.
     const double sign = exceeds(0.0) ? 1.0 : -1.0;
     double small = negligible * largest;
     if (sign > 0.0 ? !exceeds(small) : exceeds(-small)) {

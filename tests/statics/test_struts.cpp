@@ -9,6 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "statics/descent.hpp"
 #include "statics/reference_net.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/cone_program.hpp"
@@ -83,6 +84,20 @@ TEST(Strut, OfASimplexHasTheFormAndForcesThatMusclePyFinds) {
     const Eigen::VectorXd expected = test::vector_of(json.at("tensions"));
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
     EXPECT_LT((tension - expected).cwiseAbs().maxCoeff(), 1e-5 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(Strut, TopplesWhereItsStiffnessIsNegative) {
+    const CableNet net = column(-0.1);  // slack guys
+    const LocalNet local = number_naturally(net);
+    NetState state(local);
+    state.set_unstressed_lengths(local, net.unstressed_lengths());
+    state.form().col(0).z() = 2.0 * (1.0 - load / 1e6);  // balanced
+    state.update(local);
+    Stiffness stiffness(local);
+    ASSERT_TRUE(is_unstable(local, stiffness, state));
+    const Eigen::VectorXd direction = direction_of_collapse(local, stiffness, state);
+    EXPECT_NEAR(direction.norm(), 1.0, 1e-12);  // one node
+    EXPECT_NEAR(direction(2), 0.0, 1e-9);       // along the strut
 }
 
 TEST(Strut, IsNotStableWithoutGuysThatHoldIt) {
