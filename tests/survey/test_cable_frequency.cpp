@@ -187,6 +187,15 @@ TEST(WelchSpectrum, HasThePowerOfASineAndOfNoise) {
     EXPECT_NEAR((spectrum.density - of_noise.density).sum() * spectrum.step, 4.5, 0.05);
 }
 
+TEST(WelchSpectrum, HoldsPowerInTheGroupsOfItsTime) {
+    VibrationRecord record = noise_alone(100.0);
+    add(record, 20.0, 3.0, 0.0);
+    record.signals.topRows(record.signals.rows() * 3 / 4).setZero();
+    const WelchSpectrum spectrum = welch_spectrum(record, 1000);
+    EXPECT_EQ(spectrum.groups.leftCols(11).maxCoeff(), 0.0);
+    EXPECT_GT(spectrum.groups.rightCols(3).colwise().sum().minCoeff(), 0.0);
+}
+
 TEST(ModeNumbers, FitTheStiffStringExactly) {
     std::vector<FrequencyPeak> peaks;
     for (const int n : {1, 2, 3, 5, 8}) {
