@@ -207,8 +207,12 @@ std::vector<CableRun> read_runs(const std::optional<JsonValue>& list) {
         const JsonValue run = list->at(k);
         run.require_object("a run of cable: {\"edges\": [...]}");
         const auto name = run.find("name");
+        const auto slides_at = run.find("slides_at");
+        const auto friction = run.find("friction");
         runs[k] = {.name = name ? name->text() : "",
-                   .edges = read_indices(run.require("edges", "an array of edges"))};
+                   .edges = read_indices(run.require("edges", "an array of edges")),
+                   .slides_at = slides_at ? read_indices(*slides_at) : std::vector<int>(),
+                   .friction = friction ? friction->number() : 0.0};
     }
     return runs;
 }

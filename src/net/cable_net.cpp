@@ -13,6 +13,7 @@
 #include <set>
 
 #include "net/fingerprint.hpp"
+#include "net/sliding_nodes.hpp"
 #include "net/validation.hpp"
 
 namespace taut {
@@ -176,6 +177,10 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
         m_data.sag_weight.resize(0);
     }
     m_sag_laws = sag_laws(m_data);
+    for (const CableRun& run : m_data.runs) {
+        const std::vector<SlidingNode> of_run = sliding_nodes_of(m_data.edges, run);
+        m_sliding.insert(m_sliding.end(), of_run.begin(), of_run.end());
+    }
 
     m_free_index.assign(node_count(), 0);
     for (const int support : m_data.supports) {

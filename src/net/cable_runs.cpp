@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "net/sliding_nodes.hpp"
 #include "net/union_find.hpp"
 
 namespace taut {
@@ -51,6 +52,23 @@ std::vector<std::pair<int, int>> straight_pairs(const CableNet& net, int node) {
 }
 
 }  // namespace
+
+std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges, const CableRun& run) {
+    std::vector<SlidingNode> result;
+    for (size_t i = 0; i + 1 < run.edges.size(); ++i) {
+        const Edge& after = edges[run.edges[i + 1]];
+        for (const int node : edges[run.edges[i]]) {
+            if (std::ranges::find(after, node) != after.end() &&
+                std::ranges::find(run.slides_at, node) != run.slides_at.end()) {
+                result.push_back({.node = node,
+                                  .before = run.edges[i],
+                                  .after = run.edges[i + 1],
+                                  .friction = run.friction});
+            }
+        }
+    }
+    return result;
+}
 
 std::vector<std::vector<int>> cable_runs(const CableNet& net) {
     std::vector<std::vector<int>> runs;

@@ -38,6 +38,13 @@ std::string compute_fingerprint(const CableNetData& data) {
     if (data.sag_weight.size() > 0) {
         hash.add_list(data.sag_weight);
     }
+    for (const CableRun& run : data.runs) {
+        if (!run.slides_at.empty()) {
+            hash.add_list(run.edges);
+            hash.add_list(run.slides_at);
+            hash.add_list(std::array{run.friction});
+        }
+    }
     return hash.text();
 }
 

@@ -15,6 +15,7 @@
 #include <set>
 #include <string_view>
 
+#include "net/sliding_nodes.hpp"
 #include "net/union_find.hpp"
 
 namespace taut {
@@ -258,7 +259,7 @@ void check_groups(const CableNetData& data) {
 void check_runs(const CableNetData& data) {
     std::vector<bool> taken(data.edges.size(), false);
     for (int k = 0; k < std::ssize(data.runs); ++k) {
-        const auto& [name, edges] = data.runs[k];
+        const auto& [name, edges, slides_at, friction] = data.runs[k];
         if (has_line_break(name)) {
             throw NetError("runs", {k},
                            "holds a name with a line break or a zero byte, expected one line");
@@ -278,6 +279,35 @@ void check_runs(const CableNetData& data) {
                                fmt::format("holds edge {}, which is in another run", edge));
             }
             taken[edge] = true;
+        }
+        if (slides_at.empty()) {
+            continue;
+        }
+        if (!(friction >= 0.0 && friction <= 10.0)) {
+            throw NetError("runs", {k},
+                           fmt::format("friction is {}, expected a number of 0 to 10", friction));
+        }
+        for (const int edge : edges) {
+            if (!data.kind.empty() && data.kind[edge] == EdgeKind::strut) {
+                throw NetError("runs", {k},
+                               fmt::format("slides, and holds edge {}, which is a strut", edge));
+            }
+        }
+        try {
+            check_indices("runs", slides_at, static_cast<int>(data.nodes.cols()), "node");
+        } catch (const NetError& error) {
+            throw NetError("runs", {k},
+                           fmt::format("slides_at[{}]: {}", error.index()[0], error.problem()));
+        }
+        const std::vector<SlidingNode> sliding = sliding_nodes_of(data.edges, data.runs[k]);
+        for (size_t i = 0; i < slides_at.size(); ++i) {
+            if (std::ranges::find(sliding, slides_at[i], &SlidingNode::node) == sliding.end()) {
+                throw NetError(
+                    "runs", {k},
+                    fmt::format("slides_at[{}]: is {}, expected a node between two edges "
+                                "of the run that follow each other in its list",
+                                i, slides_at[i]));
+            }
         }
     }
 }

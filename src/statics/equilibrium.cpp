@@ -11,6 +11,7 @@
 #include "statics/arguments.hpp"
 #include "statics/descent.hpp"
 #include "statics/interior_point.hpp"
+#include "statics/sliding.hpp"
 
 namespace taut {
 namespace {
@@ -53,6 +54,7 @@ struct EquilibriumSolver::Workspace {
     InteriorPoint interior_point;
     NetState state;
     NetState before;  ///< where the interior-point steps began
+    RunSliding sliding;
 
     Workspace(const CableNet& cable_net, EquilibriumSettings with)
         : settings(with),
@@ -61,7 +63,36 @@ struct EquilibriumSolver::Workspace {
           descent(net),
           interior_point(net),
           state(net),
-          before(net) {}
+          before(net),
+          sliding(cable_net.sliding_nodes()) {}
+
+    /// Brings the forces of the state into balance, for its unstressed lengths; whether that
+    /// succeeds.
+    bool balance(Equilibrium& result) {
+        const auto descend = [&](DescentLimits limits) {
+            const auto [balanced, steps] =
+                descent.run(net, stiffness, state, settings.relative_tolerance, limits,
+                            result.energy_decreases);
+            result.iterations += steps;
+            return balanced;
+        };
+        const int limit = settings.max_iterations;
+        // The path of the interior-point steps leads through straight parts of laws.
+        const bool has_path = net.is_convex() && !net.sags;
+        DescentLimits at_first = has_path ? plain_descent : DescentLimits{.max_steps = limit};
+        at_first.max_steps = std::min(at_first.max_steps, limit - result.iterations);
+        bool balanced = descend(at_first);
+        if (!balanced && has_path && result.iterations < limit) {
+            // Half of what is left: Newton's method has the last word.
+            result.iterations +=
+                approach((limit - result.iterations + 1) / 2, result.energy_decreases);
+            balanced = descend({.max_steps = limit - result.iterations});
+        }
+        if (balanced && is_unstable(net, stiffness, state)) {
+            leave_saddle(result);
+        }
+        return balanced;
+    }
 
     /// A search by symmetry may end where struts give way. Goes on from a little beside it, to
     /// either side; taken if a stable form is found within the reach of a step. Farther ones are
@@ -132,30 +163,13 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
     w.net.gather(start, state.form());
     state.update(w.net);
 
-    const auto descend = [&](DescentLimits limits) {
-        const auto [balanced, steps] =
-            w.descent.run(w.net, w.stiffness, state, w.settings.relative_tolerance, limits,
-                          result.energy_decreases);
-        result.iterations += steps;
-        return balanced;
-    };
-    const int limit = w.settings.max_iterations;
-    // The path of the interior-point steps leads through straight parts of laws.
-    const bool has_path = w.net.is_convex() && !w.net.sags;
-    DescentLimits at_first = has_path ? plain_descent : DescentLimits{.max_steps = limit};
-    at_first.max_steps = std::min(at_first.max_steps, limit);
-    bool balanced = descend(at_first);
-    if (!balanced && has_path && result.iterations < limit) {
-        // Half of what is left: Newton's method has the last word.
-        result.iterations +=
-            w.approach((limit - result.iterations + 1) / 2, result.energy_decreases);
-        balanced = descend({.max_steps = limit - result.iterations});
+    bool balanced = w.balance(result);
+    double not_slid = 0.0;
+    if (balanced && !w.sliding.is_empty()) {
+        not_slid = w.sliding.run(w.net, w.stiffness, state, [&] { return w.balance(result); });
+        balanced = not_slid == 0.0;
     }
-
-    if (balanced && is_unstable(w.net, w.stiffness, state)) {
-        w.leave_saddle(result);
-    }
-
+    result.unstressed_lengths = state.unstressed_lengths();
     result.form = w.net.scatter(state.form());
     if (!w.net.origin.isZero(0.0)) {
         // The coordinates of a net far from the origin are rounded once more. Report the forces at
@@ -163,7 +177,7 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
         w.net.gather(result.form, state.form());
         state.update(w.net);
     }
-    result.out_of_balance = state.largest_force();
+    result.out_of_balance = std::max(state.largest_force(), not_slid);
     result.mean_tension = state.mean_tension();
     result.slack_edges = state.slack_edges();
     if (balanced && is_small_beside_tensions(result.out_of_balance, w.net, state.mean_force())) {

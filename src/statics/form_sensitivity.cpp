@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "statics/edge_state.hpp"
+#include "statics/length_rates.hpp"
+#include "statics/sliding.hpp"
 #include "statics/stiffness_factor.hpp"
 
 namespace taut {
@@ -20,42 +23,11 @@ struct FormSensitivity::Factor {
     std::vector<EdgeState> states;
     Eigen::VectorXd lengths;  ///< l_0 (m) [m]
     std::vector<int> row_of;  ///< local free node -> its place in r_I
+    LengthRates rates{.net = net, .states = states, .lengths = lengths};
+    std::optional<SlidingRates> sliding;  ///< of a net whose runs slide
 
     explicit Factor(const CableNet& cable_net)
         : net(number_for_elimination(cable_net)), stiffness(net) {}
-
-    /// -dh_s/dl_0 = dh_t/dl_0 of an edge (s, t) [N/m].
-    [[nodiscard]] Eigen::Vector3d force_rate(int edge) const {
-        const EdgeState& state = states[edge];
-        if (!state.carries()) {
-            return Eigen::Vector3d::Zero();
-        }
-        return state.axial * state.length / lengths(edge) * state.direction;
-    }
-
-    /// Adds a force at an edge's source, and its opposite at the target.
-    void add_force(int edge, const Eigen::Vector3d& force, Eigen::Ref<Eigen::VectorXd> rhs) const {
-        const auto [s, t] = net.edges[edge];
-        if (s < net.free_count) {
-            rhs.segment<3>(Eigen::Index{3} * s) += force;
-        }
-        if (t < net.free_count) {
-            rhs.segment<3>(Eigen::Index{3} * t) -= force;
-        }
-    }
-
-    /// The transpose of add_force(): values at an edge's source less those at its target.
-    [[nodiscard]] Eigen::Vector3d across(int edge, const Eigen::VectorXd& local) const {
-        const auto [s, t] = net.edges[edge];
-        Eigen::Vector3d difference = Eigen::Vector3d::Zero();
-        if (s < net.free_count) {
-            difference += local.segment<3>(Eigen::Index{3} * s);
-        }
-        if (t < net.free_count) {
-            difference -= local.segment<3>(Eigen::Index{3} * t);
-        }
-        return difference;
-    }
 
     /// How the rates of an edge change with its ends and its length.
     struct RateChange {
@@ -109,17 +81,32 @@ struct FormSensitivity::Factor {
     [[nodiscard]] Eigen::VectorXd along_force_rates(const Eigen::VectorXd& local) const {
         Eigen::VectorXd result(lengths.size());
         for (int e = 0; e < result.size(); ++e) {
-            result(e) = force_rate(e).dot(across(e, local));
+            result(e) = rates.force_rate(e).dot(rates.across(e, local));
         }
         return result;
     }
 
+    /// Changes of the lengths after runs have slid, P v of docs/theory.md (sliding).
+    [[nodiscard]] Eigen::VectorXd slid(Eigen::VectorXd changes) const {
+        if (sliding) {
+            sliding->add_slips(changes);
+        }
+        return changes;
+    }
+    /// P' w.
+    [[nodiscard]] Eigen::VectorXd slid_transposed(const Eigen::VectorXd& gradient) const {
+        return sliding ? Eigen::VectorXd(gradient + sliding->by_length.transpose() *
+                                                        sliding->multipliers(gradient))
+                       : gradient;
+    }
+
     /// r' v.
-    [[nodiscard]] Eigen::VectorXd moves(const Eigen::Ref<const Eigen::VectorXd>& changes) const {
+    [[nodiscard]] Eigen::VectorXd moves(const Eigen::Ref<const Eigen::VectorXd>& of_lengths) const {
+        const Eigen::VectorXd changes = slid(of_lengths);
         Eigen::VectorXd rhs = Eigen::VectorXd::Zero(net.loads.size());
         for (int e = 0; e < changes.size(); ++e) {
             if (changes(e) != 0.0) {
-                add_force(e, changes(e) * force_rate(e), rhs);
+                rates.add_force(e, changes(e) * rates.force_rate(e), rhs);
             }
         }
         return solve(std::move(rhs));
@@ -130,6 +117,12 @@ struct FormSensitivity::Factor {
     }
     void check_free(const char* name, const Eigen::Ref<const Eigen::VectorXd>& free) const {
         check_size(name, free.size(), net.loads.size());
+    }
+    void require_no_sliding() const {
+        if (sliding) {
+            throw std::invalid_argument(
+                "runs of the net slide: its second derivatives are not known");
+        }
     }
     static void check_size(const char* name, Eigen::Index size, Eigen::Index expected) {
         if (size != expected) {
@@ -158,6 +151,9 @@ FormSensitivity::FormSensitivity(const CableNet& net,
             shift *= 10.0;
         } while (!f.stiffness.factorize() && shift < 1.0);
     }
+    if (auto balances = sliding_balances(net.sliding_nodes(), f.rates); !balances.empty()) {
+        f.sliding.emplace(f.rates, f.stiffness.factor, std::move(balances));
+    }
 }
 FormSensitivity::~FormSensitivity() = default;
 FormSensitivity::FormSensitivity(FormSensitivity&&) noexcept = default;
@@ -173,7 +169,8 @@ Eigen::VectorXd FormSensitivity::apply_transposed(
     const Eigen::Ref<const Eigen::VectorXd>& gradient) const {
     m_factor->check_free("gradient", gradient);
     // H is symmetric
-    return m_factor->along_force_rates(m_factor->solve(m_factor->to_local(gradient)));
+    return m_factor->slid_transposed(
+        m_factor->along_force_rates(m_factor->solve(m_factor->to_local(gradient))));
 }
 
 NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradient) const {
@@ -185,10 +182,18 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
         multipliers.segment<3>(Eigen::Index{3} * i) = gradient.col(f.net.node_of[i]);
     }
     multipliers = f.solve(std::move(multipliers));
-    NetGradient result{.unstressed_lengths = f.along_force_rates(multipliers),
-                       .axial_stiffness = Eigen::VectorXd::Zero(f.lengths.size()),
-                       .loads = Points::Zero(3, nodes),
-                       .nodes = Points::Zero(3, nodes)};
+    Eigen::VectorXd of_tensions = Eigen::VectorXd::Zero(f.lengths.size());
+    if (f.sliding) {  // (sliding-gradient)
+        const Eigen::VectorXd of_balances =
+            f.sliding->multipliers(f.along_force_rates(multipliers));
+        multipliers += f.sliding->moves * of_balances;
+        of_tensions = f.sliding->by_tension.transpose() * of_balances;
+    }
+    NetGradient result{
+        .unstressed_lengths = f.along_force_rates(multipliers) + f.rates.lengths_by(of_tensions),
+        .axial_stiffness = Eigen::VectorXd::Zero(f.lengths.size()),
+        .loads = Points::Zero(3, nodes),
+        .nodes = Points::Zero(3, nodes)};
     for (int i = 0; i < nodes; ++i) {
         if (i < f.net.free_count) {
             result.loads.col(f.net.node_of[i]) = multipliers.segment<3>(Eigen::Index{3} * i);
@@ -205,16 +210,17 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
         if (!state.carries()) {
             continue;
         }
-        const Eigen::Vector3d multiplier = f.across(e, multipliers);
+        const Eigen::Vector3d multiplier = f.rates.across(e, multipliers);
         const double along = state.direction.dot(multiplier);
         if (f.net.law(e) == nullptr || state.sags) {
             const double EA = f.net.axial_stiffness(e);
             result.axial_stiffness(e) =
-                -state.tension / EA * (state.axial * f.lengths(e) / EA) * along;
+                (of_tensions(e) - along) * state.tension / EA * (state.axial * f.lengths(e) / EA);
         }
         const double across = state.force_density();
         const Eigen::Vector3d pull =  // k x
-            (state.axial - across) * along * state.direction + across * multiplier;
+            ((state.axial - across) * along - of_tensions(e) * state.axial) * state.direction +
+            across * multiplier;
         const auto [s, t] = f.net.edges[e];
         if (s >= f.net.free_count) {
             result.nodes.col(f.net.node_of[s]) -= pull;
@@ -232,13 +238,14 @@ Eigen::VectorXd FormSensitivity::apply_second(
     const Factor& f = *m_factor;
     f.check_lengths("length_changes", length_changes);
     f.check_lengths("more_changes", more_changes);
+    f.require_no_sliding();
     // docs/theory.md (second derivative)
     const Eigen::VectorXd moves = f.moves(length_changes);
     const Eigen::VectorXd more_moves = f.moves(more_changes);
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(moves.size());
     for (int e = 0; e < f.lengths.size(); ++e) {
-        const auto [k, b] = f.rate_change(e, f.across(e, moves), length_changes(e));
-        f.add_force(e, -(k * f.across(e, more_moves) + b * more_changes(e)), rhs);
+        const auto [k, b] = f.rate_change(e, f.rates.across(e, moves), length_changes(e));
+        f.rates.add_force(e, -(k * f.rates.across(e, more_moves) + b * more_changes(e)), rhs);
     }
     return f.from_local(f.solve(std::move(rhs)));
 }
@@ -249,15 +256,16 @@ Eigen::VectorXd FormSensitivity::apply_second_transposed(
     const Factor& f = *m_factor;
     f.check_free("gradient", gradient);
     f.check_lengths("length_changes", length_changes);
+    f.require_no_sliding();
     const Eigen::VectorXd moves = f.moves(length_changes);
     const Eigen::VectorXd multipliers = f.solve(f.to_local(gradient));
     Eigen::VectorXd direct(f.lengths.size());
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(moves.size());
     for (int e = 0; e < f.lengths.size(); ++e) {
-        const auto [k, b] = f.rate_change(e, f.across(e, moves), length_changes(e));
-        const Eigen::Vector3d multiplier = f.across(e, multipliers);
+        const auto [k, b] = f.rate_change(e, f.rates.across(e, moves), length_changes(e));
+        const Eigen::Vector3d multiplier = f.rates.across(e, multipliers);
         direct(e) = -b.dot(multiplier);
-        f.add_force(e, -(k * multiplier), rhs);
+        f.rates.add_force(e, -(k * multiplier), rhs);
     }
     return direct + f.along_force_rates(f.solve(std::move(rhs)));
 }
@@ -267,9 +275,19 @@ Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
     check_edges(f.lengths.size(), edges);
     Eigen::MatrixXd result(f.net.loads.size(), static_cast<Eigen::Index>(edges.size()));
     for (size_t k = 0; k < edges.size(); ++k) {
-        Eigen::VectorXd rhs = Eigen::VectorXd::Zero(result.rows());
-        f.add_force(edges[k], f.force_rate(edges[k]), rhs);
-        result.col(static_cast<Eigen::Index>(k)) = f.from_local(f.solve(std::move(rhs)));
+        result.col(static_cast<Eigen::Index>(k)) =
+            f.from_local(f.moves(Eigen::VectorXd::Unit(f.lengths.size(), edges[k])));
+    }
+    return result;
+}
+
+Eigen::MatrixXd FormSensitivity::slid_columns(std::span<const int> edges) const {
+    const Factor& f = *m_factor;
+    check_edges(f.lengths.size(), edges);
+    Eigen::MatrixXd result(f.lengths.size(), static_cast<Eigen::Index>(edges.size()));
+    for (size_t k = 0; k < edges.size(); ++k) {
+        result.col(static_cast<Eigen::Index>(k)) =
+            f.slid(Eigen::VectorXd::Unit(f.lengths.size(), edges[k]));
     }
     return result;
 }

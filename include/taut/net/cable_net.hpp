@@ -52,10 +52,23 @@ enum class Thread { right, left };
 /// What an edge carries: a cable tension alone, a strut tension and compression, EA (l/l_0 - 1).
 enum class EdgeKind { cable, strut };
 
-/// Edges cut from one cable: their length deviations may have a common part.
+/// Edges cut from one cable: their length deviations may have a common part. The cable may run on
+/// through clamps or saddles: then length passes from one edge to the next until the tensions on
+/// both sides of a node are equal, or with friction differ by no more than (capstan),
+/// docs/theory.md.
 struct CableRun {
-    std::string name;        ///< may be empty
-    std::vector<int> edges;  ///< none in another run
+    std::string name;            ///< may be empty
+    std::vector<int> edges;      ///< none in another run
+    std::vector<int> slides_at;  ///< nodes between two edges of the run that follow each other
+    double friction = 0.0;       ///< coefficient of friction there
+};
+
+/// A node that a run slides through.
+struct SlidingNode {
+    int node;
+    int before;  ///< edge of the run that ends there
+    int after;   ///< the next edge of the run
+    double friction;
 };
 
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).
@@ -130,10 +143,11 @@ public:
     ///   group without name or edges; a mass or bending stiffness that is negative, an expansion
     ///   that is not finite, a breaking load that is not positive and finite, a number of threads
     ///   other than that of the adjustable edges, a run without edges or with one that another run
-    ///   has, an elastic support that is no free node or whose stiffness is not symmetric and
-    ///   positive definite, a strut with a tension law, a buckling load that is not positive or is
-    ///   that of a cable, a sag weight that is negative or that of a strut or of an edge with a
-    ///   tension law.
+    ///   has, a run that slides at a node where no two of its edges follow each other, with a
+    ///   strut, or with a friction that is not 0 to 10, an elastic support that is no free node or
+    ///   whose stiffness is not symmetric and positive definite, a strut with a tension law, a
+    ///   buckling load that is not positive or is that of a cable, a sag weight that is negative or
+    ///   that of a strut or of an edge with a tension law.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;
@@ -192,6 +206,9 @@ public:
     }
     /// Whether no edge has a tension law, apart from cables that sag.
     [[nodiscard]] bool is_linear() const { return m_data.tension_law.empty(); }
+    /// Where runs slide, run by run in the order of their edges. The unstressed lengths of the net
+    /// are those before anything slides, as marked on the cable.
+    [[nodiscard]] const std::vector<SlidingNode>& sliding_nodes() const { return m_sliding; }
     /// l_0 of all edges (m) [m].
     [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
         return m_data.unstressed_lengths;
@@ -269,8 +286,8 @@ public:
     [[nodiscard]] int find_edge(std::string_view id) const;
 
     /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges,
-    /// loads, tension laws, masses, elastic supports, struts and sags. Nets with the same
-    /// fingerprint have the same statics, whatever their names.
+    /// loads, tension laws, masses, elastic supports, struts, sags and sliding nodes. Nets with the
+    /// same fingerprint have the same statics, whatever their names.
     [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
 
 private:
@@ -288,10 +305,11 @@ private:
     std::vector<int> m_free_index;
     std::vector<int> m_interior;
     std::vector<TensionLaw> m_sag_laws;  ///< m; empty if no cable sags
-    std::vector<int> m_starts;           ///< of each node in the next two; one more at the end
-    std::vector<int> m_edges_at;         ///< node by node
-    std::vector<int> m_neighbours;       ///< the other end of each of these edges
-    std::vector<int> m_nodes_by_name;    ///< sorted by node_ids; empty if these are
+    std::vector<SlidingNode> m_sliding;
+    std::vector<int> m_starts;         ///< of each node in the next two; one more at the end
+    std::vector<int> m_edges_at;       ///< node by node
+    std::vector<int> m_neighbours;     ///< the other end of each of these edges
+    std::vector<int> m_nodes_by_name;  ///< sorted by node_ids; empty if these are
     std::vector<int> m_edges_by_name;
     std::string m_fingerprint;
 };

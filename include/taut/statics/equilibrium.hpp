@@ -44,9 +44,13 @@ struct EquilibriumSettings {
 /// The form a net takes: the minimiser of its energy, with struts a local one.
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
+    /// As given; where runs slide, between the nodes after that (m) [m].
+    Eigen::VectorXd unstressed_lengths = {};
     EquilibriumStatus status = EquilibriumStatus::iteration_limit;  ///< how the iterations ended
-    int iterations = 0;           ///< Newton and interior-point steps taken
-    double out_of_balance = 0.0;  ///< largest norm of a nodal force h_s [N]
+    int iterations = 0;  ///< Newton and interior-point steps taken
+    /// Largest norm of a nodal force h_s, or where runs slide the largest difference of tensions
+    /// that slides no further [N].
+    double out_of_balance = 0.0;
     /// Over the taut cables; where none is taut, the mean size of the forces of struts [N].
     double mean_tension = 0.0;
     std::vector<int> slack_edges;  ///< ascending
@@ -79,6 +83,8 @@ public:
     /// not suffice. Then a primal-dual interior-point method first brings the net near its form.
     /// With struts the energy is not convex: steps are shifted until it falls along them, and no
     /// longer than a quarter of the mean edge, so that the form found is one near the start.
+    /// Where runs slide (CableRun::slides_at), length passes on at their nodes from the lengths as
+    /// given until tensions balance, docs/theory.md (sliding).
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
     /// @param start where to begin (3 x n); supports are taken from the net. A node farther from
     /// them

@@ -28,14 +28,17 @@ struct NetGradient {
 ///
 /// and once more, docs/theory.md (second derivative). Where an edge goes slack or taut, and at a
 /// corner of a tension law, the form has a kink: derivatives are those of the side it is on. H is
-/// factorised once, on construction; each derivative is then one or three solves with it. It holds
-/// a copy of what it needs of the net. One object may be used by several threads at once. A
-/// moved-from object may only be assigned to or destroyed.
+/// factorised once, on construction; each derivative is then one or three solves with it. Where
+/// runs slide, they slide on under the change, docs/theory.md (sliding), if the tensions at a node
+/// stand at the limit of its friction; second derivatives are refused then. It holds a copy of what
+/// it needs of the net. One object may be used by several threads at once. A moved-from object may
+/// only be assigned to or destroyed.
 class TAUT_CORE_EXPORT FormSensitivity {
 public:
     /// If H is singular (a slack mechanism) it is shifted by 1e-12 of the nodes' axial stiffness,
     /// so that loose nodes do not move.
-    /// @param unstressed_lengths l_0 of all edges (m) [m]
+    /// @param unstressed_lengths l_0 of all edges, Equilibrium::unstressed_lengths where runs slide
+    ///   (m) [m]
     /// @param form an equilibrium form for them, which is not checked (3 x n) [m]
     /// @throws std::invalid_argument for wrong sizes, lengths that are not positive and finite,
     ///   coordinates that are not finite
@@ -70,7 +73,7 @@ public:
     /// r''[v, w]: the second derivative of the free coordinates (3 n_I) [m] along two changes of
     /// all unstressed lengths (m) [m]. Symmetric in them; with v = w, twice the term of second
     /// order.
-    /// @throws std::invalid_argument for a wrong size
+    /// @throws std::invalid_argument for a wrong size, and where a run slides
     [[nodiscard]] Eigen::VectorXd apply_second(
         const Eigen::Ref<const Eigen::VectorXd>& length_changes,
         const Eigen::Ref<const Eigen::VectorXd>& more_changes) const;
@@ -80,7 +83,7 @@ public:
     /// apply_transposed(f'' apply(v)). The unit is that of g.
     /// @param gradient g, in the order of r_I (3 n_I)
     /// @param length_changes v, of all edges (m) [m]
-    /// @throws std::invalid_argument for a wrong size
+    /// @throws std::invalid_argument for a wrong size, and where a run slides
     [[nodiscard]] Eigen::VectorXd apply_second_transposed(
         const Eigen::Ref<const Eigen::VectorXd>& gradient,
         const Eigen::Ref<const Eigen::VectorXd>& length_changes) const;
@@ -88,6 +91,12 @@ public:
     /// The columns of dr_I/dl_0 for the given edges (3 n_I x edges.size()) [m/m].
     /// @throws std::invalid_argument for an edge that the net does not have
     [[nodiscard]] Eigen::MatrixXd columns(std::span<const int> edges) const;
+
+    /// How the unstressed lengths between the nodes change with those of the given edges once runs
+    /// have slid, docs/theory.md (sliding): columns of the identity where none does (m x
+    /// edges.size()) [m/m].
+    /// @throws std::invalid_argument for an edge that the net does not have
+    [[nodiscard]] Eigen::MatrixXd slid_columns(std::span<const int> edges) const;
 
 private:
     struct Factor;

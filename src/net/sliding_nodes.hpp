@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// Where a run slides: each node of slides_at between two edges that follow each other in its list.
+[[nodiscard]] std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges,
+                                                        const CableRun& run);
+
+}  // namespace taut

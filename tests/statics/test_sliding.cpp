@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against cables that slide to tensions that do not balance, slide where friction holds
+// them, or lose length on the way, and against derivatives that forget that they slide.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "statics/reference_net.hpp"
+#include "support/finite_differences.hpp"
+#include "support/small_nets.hpp"
+#include "taut/net/cable_runs.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+CableNet with_friction(const CableNet& net, double friction) {
+    CableNetData data = net.data();
+    for (CableRun& run : data.runs) {
+        run.friction = friction;
+    }
+    return CableNet(std::move(data));
+}
+
+CableNet ridge(const std::string& name = "ridge") {
+    const test::Json json = test::reference_net("sliding_reference.json", name);
+    CableNetData data = test::net_of(json).data();
+    for (const test::Json& run : json.at("runs")) {
+        data.runs.push_back({.name = "ridge",
+                             .edges = run.at("edges").get<std::vector<int>>(),
+                             .slides_at = run.at("slides_at").get<std::vector<int>>()});
+    }
+    return CableNet(std::move(data));
+}
+
+/// A pulley on a rope between two supports at different heights.
+CableNet pulley(double load) {
+    CableNetData data;
+    data.nodes = Points{{0.0, 3.0, 1.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, -2.0}};
+    data.supports = {0, 1};
+    data.edges = {{0, 2}, {2, 1}};
+    data.axial_stiffness = Eigen::VectorXd::Constant(2, 1e6);
+    data.unstressed_lengths = Eigen::VectorXd{{1.2, 3.8}};
+    data.loads = Points::Zero(3, 3);
+    data.loads(2, 2) = -load;
+    data.runs = {{.name = "rope", .edges = {0, 1}, .slides_at = {2}}};
+    return CableNet(std::move(data));
+}
+
+TEST(Sliding, ARopeOverAPulleyHangsAtEqualAngles) {
+    constexpr double load = 1000.0;
+    const CableNet net = pulley(load);
+    const Equilibrium e = solve_equilibrium(net);
+    ASSERT_EQ(e.status, EquilibriumStatus::converged);
+    EXPECT_NEAR(e.unstressed_lengths.sum(), 5.0, 1e-12);
+    const Eigen::VectorXd tension = tensions(net, e.unstressed_lengths, e.form);
+    EXPECT_NEAR(tension(0), tension(1), 1e-7);
+    // Both parts hang at the angle with cos = 3 m / the length of the rope.
+    const double rope = 5.0 * (1.0 + tension(0) / 1e6);
+    const double sine = std::sqrt(1.0 - 9.0 / (rope * rope));
+    EXPECT_NEAR(tension(0), 0.5 * load / sine, 1e-6);
+    EXPECT_NEAR(e.form(2, 2), 0.5 * (1.0 - rope * sine), 1e-9);
+}
+
+TEST(Sliding, FormsAndTensionsAreThoseThatSciPyFinds) {
+    for (const char* name : {"ridge", "slack ridge"}) {
+        const CableNet net = ridge(name);
+        const test::Json json = test::reference_net("sliding_reference.json", name);
+        const Equilibrium e = solve_equilibrium(net);
+        ASSERT_EQ(e.status, EquilibriumStatus::converged) << name;
+        EXPECT_LT((e.form - test::points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-8) << name;
+        const Eigen::VectorXd expected = test::vector_of(json.at("tensions"));
+        EXPECT_LT((tensions(net, e.unstressed_lengths, e.form) - expected).cwiseAbs().maxCoeff(),
+                  1e-4)
+            << name;
+        // Once more: nothing slides any further.
+        const Equilibrium again = EquilibriumSolver(net).solve(e.unstressed_lengths, e.form);
+        EXPECT_LT((again.unstressed_lengths - e.unstressed_lengths).cwiseAbs().maxCoeff(), 1e-9);
+    }
+}
+
+TEST(Sliding, WithFrictionSlidesOnlyAtItsLimit) {
+    const CableNet nominal = ridge();
+    int slid = 0;
+    int stuck = 0;
+    for (const double friction : {0.02, 0.1, 0.3}) {
+        const CableNet net = with_friction(nominal, friction);
+        Eigen::VectorXd marked = net.unstressed_lengths();
+        marked(0) -= 0.004;
+        marked(4) += 0.006;
+        const Equilibrium e = EquilibriumSolver(net).solve(marked, net.nodes());
+        ASSERT_EQ(e.status, EquilibriumStatus::converged) << friction;
+        EXPECT_NEAR((e.unstressed_lengths - marked).sum(), 0.0, 1e-12);
+        const Eigen::VectorXd tension = tensions(net, e.unstressed_lengths, e.form);
+        const auto along = [&](int edge) {
+            return (e.form.col(net.edges()[edge][1]) - e.form.col(net.edges()[edge][0]))
+                .normalized();
+        };
+        double passed = 0.0;  // from the edges before the node
+        for (int before = 0; before < 4; ++before) {
+            passed += marked(before) - e.unstressed_lengths(before);
+            if (before == 1) {
+                EXPECT_NEAR(passed, 0.0, 1e-12);  // the clamp
+                continue;
+            }
+            const double angle = std::acos(along(before).dot(along(before + 1)));
+            const double ratio = std::log(tension(before + 1) / tension(before));
+            EXPECT_LT(std::abs(ratio), friction * angle + 1e-8);
+            if (std::abs(passed) > 1e-9) {
+                // Length passes on towards the greater tension.
+                EXPECT_NEAR(ratio, std::copysign(friction * angle, passed), 1e-7);
+                ++slid;
+            } else {
+                ++stuck;
+            }
+        }
+    }
+    EXPECT_GT(slid, 2);
+    EXPECT_GE(stuck, 2);
+}
+
+TEST(Sliding, DerivativesAreThoseOfTheNetThatSlides) {
+    for (const double friction : {0.0, 0.05}) {
+        const CableNet net = with_friction(ridge(), friction);
+        EquilibriumSolver solver(net);
+        Eigen::VectorXd marked = net.unstressed_lengths();
+        marked(0) -= 0.004;
+        marked(4) += 0.006;
+        // From where it has slid to: with friction it goes on only in the same direction.
+        const Equilibrium e = solver.solve(marked, net.nodes());
+        ASSERT_EQ(e.status, EquilibriumStatus::converged);
+        const FormSensitivity sensitivity(net, e.unstressed_lengths, e.form);
+        const Eigen::MatrixXd expected = test::finite_differences(
+            [&](const Eigen::VectorXd& l_0) {
+                return free_coordinates(net, solver.solve(l_0, e.form).form);
+            },
+            marked, 1e-5);
+        const auto edges = test::all_edges(net);
+        const Eigen::MatrixXd columns = sensitivity.columns(edges);
+        EXPECT_LT((columns - expected).cwiseAbs().maxCoeff(), 2e-5 * expected.cwiseAbs().maxCoeff())
+            << friction;
+        const Eigen::VectorXd gradient = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 2.0);
+        EXPECT_LT((sensitivity.apply_transposed(gradient) - columns.transpose() * gradient).norm(),
+                  1e-9 * columns.norm());
+        EXPECT_LT((sensitivity.apply(marked) - columns * marked).norm(), 1e-9 * columns.norm());
+        const Eigen::MatrixXd lengths = test::finite_differences(
+            [&](const Eigen::VectorXd& l_0) {
+                return solver.solve(l_0, e.form).unstressed_lengths;
+            },
+            marked, 1e-5);
+        EXPECT_LT((sensitivity.slid_columns(edges) - lengths).cwiseAbs().maxCoeff(), 2e-5);
+        EXPECT_THAT([&] { (void)sensitivity.apply_second(marked, marked); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr("slide")));
+    }
+}
+
+TEST(Sliding, TheGradientByTheNetIsThatOfTheNetThatSlides) {
+    const CableNet net = ridge();
+    const Equilibrium e = solve_equilibrium(net);
+    const Points weights = Points::NullaryExpr(
+        3, net.node_count(), [](Eigen::Index i) { return std::sin(1.7 * static_cast<double>(i)); });
+    const NetGradient gradient =
+        FormSensitivity(net, e.unstressed_lengths, e.form).net_gradient(weights);
+    const auto moved = [&](const auto& change, double step) {
+        CableNetData data = net.data();
+        change(data, step);
+        const CableNet other(std::move(data));
+        return EquilibriumSolver(other)
+            .solve(other.unstressed_lengths(), e.form)
+            .form.cwiseProduct(weights)
+            .sum();
+    };
+    const auto slope = [&](const auto& change, double step) {
+        return (moved(change, step) - moved(change, -step)) / (2.0 * step);
+    };
+    for (const int edge : {0, 2, 4, 6}) {
+        const double by_stiffness = slope(
+            [&](CableNetData& data, double step) { data.axial_stiffness(edge) += step; }, 100.0);
+        EXPECT_NEAR(gradient.axial_stiffness(edge), by_stiffness,
+                    1e-5 * gradient.axial_stiffness.cwiseAbs().maxCoeff());
+        const double by_length = slope(
+            [&](CableNetData& data, double step) { data.unstressed_lengths(edge) += step; }, 1e-5);
+        EXPECT_NEAR(gradient.unstressed_lengths(edge), by_length, 1e-4);
+    }
+    for (const auto& [node, axis] : {std::pair(0, 0), std::pair(5, 2), std::pair(8, 1)}) {
+        const double by_place =
+            slope([&](CableNetData& data, double step) { data.nodes(axis, node) += step; }, 1e-5);
+        EXPECT_NEAR(gradient.nodes(axis, node), by_place, 1e-4);
+    }
+    const double by_load =
+        slope([&](CableNetData& data, double step) { data.loads(2, 3) += step; }, 0.1);
+    EXPECT_NEAR(gradient.loads(2, 3), by_load, 1e-5 * gradient.loads.cwiseAbs().maxCoeff());
+}
+
+TEST(Sliding, ARunThatCannotSlideIsRefused) {
+    const auto refused = [](const auto& change) {
+        return [change] {
+            CableNetData data = ridge().data();
+            change(data.runs[0], data);
+            CableNet{std::move(data)};
+        };
+    };
+    const auto says = [](const char* text) { return ThrowsMessage<NetError>(HasSubstr(text)); };
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.slides_at = {0}; }),
+                says("runs[0]: slides_at[0]: is 0, expected a node between two edges"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.slides_at = {1, 1}; }),
+                says("slides_at[1]: lists node 1 a second time"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.edges = {0, 2, 1, 3, 4}; }),
+                says("expected a node between two edges of the run that follow each other"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.friction = -0.1; }),
+                says("friction is -0.1"));
+    EXPECT_THAT(refused([](CableRun&, CableNetData& data) {
+                    data.kind.assign(data.edges.size(), EdgeKind::cable);
+                    data.kind[3] = EdgeKind::strut;
+                }),
+                says("holds edge 3, which is a strut"));
+}
+
+}  // namespace
+}  // namespace taut
