@@ -39,7 +39,8 @@ void add_example(CLI::App& program) {
     command
         .add_option(
             "NAME", options->name,
-            "hilo-quarter, steel-roof, cable-dome, spoke-wheel, tensegrity-simplex, or hypar:RxC "
+            "hilo-quarter, steel-roof, cable-dome, spoke-wheel, tensegrity-simplex, sliding-ridge, "
+            "or hypar:RxC "
             "with R rows and C columns of free nodes (1 to 1000)")
         ->required();
     add_output_option(command, options->output, "Net file to write");

@@ -54,13 +54,14 @@ CableNet changed(const CableNet& net, const Eigen::VectorXd& lengths, const Poin
     return naming_file(file, [&] { return CableNet(std::move(data)); });
 }
 
-Points equilibrium_form(const CableNet& net, const std::string& path) {
-    Equilibrium equilibrium = solve_equilibrium(net);
+/// In its equilibrium, with the lengths that runs have then slid to.
+CableNet in_equilibrium(const CableNet& net, const std::string& path) {
+    const Equilibrium equilibrium = solve_equilibrium(net);
     if (!equilibrium.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium was found: {}", path, equilibrium_text(equilibrium)));
     }
-    return std::move(equilibrium.form);
+    return changed(net, equilibrium.unstressed_lengths, equilibrium.form, path);
 }
 
 /// The lengths of one net in the form of another give tensions that neither has.
@@ -114,7 +115,7 @@ Exported exported_net(const ExportOptions& options) {
         it.form = "predicted";
     } else {
         it.form = "equilibrium";
-        net = changed(net, net.unstressed_lengths(), equilibrium_form(net, it.lengths), it.lengths);
+        net = in_equilibrium(net, it.lengths);
     }
     it.balance = imbalance(net, net.unstressed_lengths(), net.nodes());
     it.slack = slack_edges(net, net.unstressed_lengths(), net.nodes());

@@ -52,6 +52,7 @@ CableNet net_of(const FormOptions& options, const CableNet& nominal) {
 /// Result of either solver.
 struct Found {
     Points form;
+    Eigen::VectorXd unstressed_lengths;  ///< after sliding
     std::string status;
     std::string text;  ///< the status with its numbers
     int iterations;
@@ -77,8 +78,9 @@ Found find_by_newton(const FormOptions& options, const CableNet& net) {
             fmt::format("\n{}some nodes free to move: their places are one solution of many",
                         e.slack_edges.empty() ? "struts with hinges leave " : "slack edges leave ");
     }
-    const FormCheck check = check_form(net, e.form);
+    const FormCheck check = check_form(net, e.unstressed_lengths, e.form);
     return {.form = std::move(e.form),
+            .unstressed_lengths = std::move(e.unstressed_lengths),
             .status = std::string(to_string(e.status)),
             .text = text,
             .iterations = e.iterations,
@@ -103,13 +105,14 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
     }
     const Imbalance balance = imbalance(net, lengths, s.form);
     return {.form = s.form,
+            .unstressed_lengths = lengths,
             .status = std::string(to_string(s.status)),
             .text = text,
             .iterations = s.iterations,
             .out_of_balance = balance.largest,
             .mean_tension = balance.mean_tension,
             .slack_edges = slack_edges(net, lengths, s.form),
-            .check = check_form(net, s.form, s.edge_forces),
+            .check = check_form(net, lengths, s.form, s.edge_forces),
             .details = {{"form", to_string(cone_form)},
                         {"primal_objective", s.primal_objective},
                         {"dual_objective", s.dual_objective},
@@ -151,6 +154,11 @@ void run(const FormOptions& options) {
     if (options.solver == "socp" && net.has_struts()) {
         throw InputError(options.net, "",
                          "has struts: its energy is not convex, expected --solver newton");
+    }
+    if (options.solver == "socp" && !net.sliding_nodes().empty()) {
+        throw InputError(
+            options.net, "",
+            "has runs that slide, expected --solver newton: the cone program has none");
     }
     if (options.solver == "socp" && net.sags()) {
         throw InputError(

@@ -75,7 +75,7 @@ struct Inspection {
 };
 
 Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
-    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    const Eigen::VectorXd& lengths = equilibrium.unstressed_lengths;
     Analysis result;
     if (!equilibrium.balanced()) {
         result.left_out = "self-stress, identifiability, sensitivities: no equilibrium was found";
@@ -107,7 +107,7 @@ Inspection inspect(const CableNet& net) {
     Analysis analysis = analyse(net, equilibrium);
     Eigen::VectorXd strains = lengths.cwiseQuotient(unstressed).array() - 1.0;
     strains = (edge_tensions.array() == 0.0).select(0.0, strains);
-    const FormCheck check = check_form(net, equilibrium.form);
+    const FormCheck check = check_form(net, equilibrium.unstressed_lengths, equilibrium.form);
     const double move = (equilibrium.form - net.nodes()).colwise().norm().maxCoeff();
     return {.lower = net.nodes().rowwise().minCoeff(),
             .upper = net.nodes().rowwise().maxCoeff(),

@@ -55,8 +55,8 @@ std::string balance_text(double out_of_balance, double mean_tension) {
     return text;
 }
 
-FormCheck check_form(const CableNet& net, const Points& form, const Points& edge_forces) {
-    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+FormCheck check_form(const CableNet& net, const Eigen::VectorXd& lengths, const Points& form,
+                     const Points& edge_forces) {
     if (net.has_struts()) {
         return {.energy = energy(net, lengths, form),
                 .smallest_stiffness = smallest_stiffness(net, lengths, form)};

@@ -33,8 +33,8 @@ struct FormCheck {
     double smallest_stiffness = 0.0;  ///< of a net with struts [N/m]
 };
 /// @param edge_forces as of certify(), or 3 x 0
-[[nodiscard]] FormCheck check_form(const CableNet& net, const Points& form,
-                                   const Points& edge_forces = Points(3, 0));
+[[nodiscard]] FormCheck check_form(const CableNet& net, const Eigen::VectorXd& lengths,
+                                   const Points& form, const Points& edge_forces = Points(3, 0));
 
 /// "energy 5804 J, above the lowest by at most 5e-23 J (8e-27 of the elastic energy)"
 [[nodiscard]] std::string check_text(const FormCheck& check);

@@ -16,8 +16,8 @@ namespace taut::python {
 void bind_design(nb::module_& module) {
     module.def(
         "builtin_net", [](const std::string& name) { return builtin_net(name); }, nb::arg("name"),
-        "'hilo-quarter', 'steel-roof', 'cable-dome', 'spoke-wheel', 'tensegrity-simplex', or "
-        "'hypar:ROWSxCOLUMNS'.");
+        "'hilo-quarter', 'steel-roof', 'cable-dome', 'spoke-wheel', 'tensegrity-simplex', "
+        "'sliding-ridge', or 'hypar:ROWSxCOLUMNS'.");
     module.def("hilo_quarter", &hilo_quarter,
                "A net with the counts of the paper's prototype: 300 free nodes, 536 interior and "
                "128 adjustable edges.");
@@ -28,6 +28,8 @@ void bind_design(nb::module_& module) {
                "A roof like a bicycle wheel: a rim of struts on elastic supports, and a mast.");
     module.def("tensegrity_simplex", &tensegrity_simplex,
                "The three struts and nine cables of a laboratory's simplex.");
+    module.def("sliding_ridge", &sliding_ridge,
+               "A ridge of cable that slides over two masts and through its clamps.");
     module.def("hypar", &hypar, nb::arg("rows"), nb::arg("columns"),
                "A hyperbolic paraboloid of rows x columns free nodes, 1 to 1000 each.");
     module.def(

@@ -88,6 +88,8 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::optional<ArrayLike>& expansion,
               const std::optional<ArrayLike>& breaking_load, const Names& thread,
               const std::map<std::string, ArrayLike>& runs,
+              const std::map<std::string, ArrayLike>& slides_at,
+              const std::map<std::string, double>& friction,
               const std::optional<ArrayLike>& bending_stiffness,
               const std::map<int, ArrayLike>& support_stiffness,
               const std::variant<std::string, std::map<int, ArrayLike>>& support_place,
@@ -144,6 +146,21 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
     for (const auto& [run, members] : runs) {
         data.runs.push_back(
             {.name = run, .edges = indices_argument(members, fmt::format("runs['{}']", run))});
+    }
+    const auto run_named = [&](const char* argument, const std::string& name) -> CableRun& {
+        const auto found = std::ranges::find(data.runs, name, &CableRun::name);
+        if (found == data.runs.end()) {
+            throw nb::value_error(
+                fmt::format("{}: got '{}', expected one of runs", argument, name).c_str());
+        }
+        return *found;
+    };
+    for (const auto& [run, nodes] : slides_at) {
+        run_named("slides_at", run).slides_at =
+            indices_argument(nodes, fmt::format("slides_at['{}']", run));
+    }
+    for (const auto& [run, coefficient] : friction) {
+        run_named("friction", run).friction = coefficient;
     }
     const auto* const places = std::get_if<std::map<int, ArrayLike>>(&support_place);
     if (places == nullptr && std::get<std::string>(support_place) != "balanced") {
@@ -225,6 +242,8 @@ void bind_net(nb::module_& module) {
             nb::arg("groups") = std::map<std::string, ArrayLike>(), nb::arg("mass") = nb::none(),
             nb::arg("expansion") = nb::none(), nb::arg("breaking_load") = nb::none(),
             nb::arg("thread") = Names(), nb::arg("runs") = std::map<std::string, ArrayLike>(),
+            nb::arg("slides_at") = std::map<std::string, ArrayLike>(),
+            nb::arg("friction") = std::map<std::string, double>(),
             nb::arg("bending_stiffness") = nb::none(),
             nb::arg("support_stiffness") = std::map<int, ArrayLike>(),
             nb::arg("support_place") = std::map<int, ArrayLike>(), nb::arg("kind") = Names(),
@@ -251,6 +270,8 @@ Args:
     thread: 'right' or 'left' of each turnbuckle, in the order of adjustable.
     runs: named lists of edges that are cut from one cable; by default edges that go straight on
         through a node.
+    slides_at: nodes of runs where the cable can slide, by the name of the run.
+    friction: coefficient of friction there, by the name of the run; by default 0.
     bending_stiffness: EI (m,), or one number, for tensions from frequencies [N m2].
     support_stiffness: of those supports that give way, by node: one number, three of the axes, or a
         matrix (3, 3) [N/m].

@@ -48,6 +48,12 @@ void bind_equilibrium(nb::module_& module) {
             },
             "Supports included (n, 3) [m].")
         .def_prop_ro(
+            "unstressed_lengths",
+            [](nb::handle_t<Equilibrium> self) {
+                return view_of(nb::cast<const Equilibrium&>(self).unstressed_lengths, self);
+            },
+            "As given; where runs slide, between the nodes after that (m,) [m].")
+        .def_prop_ro(
             "status", [](const Equilibrium& self) { return to_string(self.status); },
             "'converged', 'slack mechanism' (some nodes are loose), 'unstable' (struts give way) "
             "or "
@@ -56,7 +62,8 @@ void bind_equilibrium(nb::module_& module) {
                      "Whether the net can stand so: converged, or a slack mechanism.")
         .def_ro("iterations", &Equilibrium::iterations)
         .def_ro("out_of_balance", &Equilibrium::out_of_balance,
-                "Largest norm of a nodal force [N].")
+                "Largest norm of a nodal force, or where runs slide the largest difference of "
+                "tensions that slides no further [N].")
         .def_ro("mean_tension", &Equilibrium::mean_tension, "Over the taut cables [N].")
         .def_prop_ro(
             "slack_edges",

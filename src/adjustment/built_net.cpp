@@ -35,6 +35,7 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
         throw std::invalid_argument("with the estimated lengths the net finds no equilibrium");
     }
     CableNetData data = identified.data();
+    data.unstressed_lengths = equilibrium.unstressed_lengths;
     data.nodes = equilibrium.form;
     return CableNet(std::move(data));
 }

@@ -38,6 +38,7 @@ StrokedNet StrokeResponse::at(const Eigen::Ref<const Eigen::VectorXd>& lengths,
     StrokedNet result{.unstressed_lengths = lengths};
     result.unstressed_lengths(m_edges) += strokes;
     result.equilibrium = m_solver.solve(result.unstressed_lengths, start);
+    result.unstressed_lengths = result.equilibrium.unstressed_lengths;
     result.forces = forces_of(result.unstressed_lengths, result.equilibrium.form);
     return result;
 }
@@ -62,15 +63,13 @@ StrokeRates StrokeResponse::rates(const StrokedNet& stroked) const {
     const Points& form = stroked.equilibrium.form;
     const auto states = edge_states(net, stroked.unstressed_lengths, form);
     StrokeRates rates;
-    rates.form = FormSensitivity(net, stroked.unstressed_lengths, form).columns(m_edges);
+    const FormSensitivity sensitivity(net, stroked.unstressed_lengths, form);
+    rates.form = sensitivity.columns(m_edges);
+    const Eigen::MatrixXd lengths = sensitivity.slid_columns(m_edges);
 
     const auto k = static_cast<Eigen::Index>(m_edges.size());
     const int m = net.edge_count();
     rates.forces.resize(m + static_cast<Eigen::Index>(m_reactions.size()), k);
-    std::vector<int> turned(m, -1);
-    for (Eigen::Index i = 0; i < k; ++i) {
-        turned[m_edges[static_cast<size_t>(i)]] = static_cast<int>(i);
-    }
     /// d(r_s - r_t) of an edge (3 x k).
     const auto vector_rates = [&](int edge) {
         Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, k);
@@ -86,9 +85,8 @@ StrokeRates StrokeResponse::rates(const StrokedNet& stroked) const {
     for (int e = 0; e < m; ++e) {
         const EdgeState& state = states[e];
         rates.forces.row(e) = state.axial * state.direction.transpose() * vector_rates(e);
-        if (const int i = turned[e]; i >= 0) {
-            rates.forces(e, i) -= state.axial * state.length / stroked.unstressed_lengths(e);
-        }
+        rates.forces.row(e) -=
+            state.axial * state.length / stroked.unstressed_lengths(e) * lengths.row(e);
     }
     for (size_t r = 0; r < m_reactions.size(); ++r) {
         const Eigen::Vector3d reaction = reaction_at(net, states, m_reactions[r]);

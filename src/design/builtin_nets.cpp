@@ -22,12 +22,13 @@ int whole_number(std::string_view text) {
 }  // namespace
 
 CableNet builtin_net(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, CableNet (*)()>, 5> named{
+    constexpr std::array<std::pair<std::string_view, CableNet (*)()>, 6> named{
         {{"hilo-quarter", hilo_quarter},
          {"steel-roof", steel_roof},
          {"cable-dome", cable_dome},
          {"spoke-wheel", spoke_wheel},
-         {"tensegrity-simplex", tensegrity_simplex}}};
+         {"tensegrity-simplex", tensegrity_simplex},
+         {"sliding-ridge", sliding_ridge}}};
     for (const auto& [of_net, make] : named) {
         if (name == of_net) {
             return make();
@@ -46,8 +47,8 @@ CableNet builtin_net(std::string_view name) {
     }
     throw std::invalid_argument(
         fmt::format("there is no built-in net '{}': expected hilo-quarter, steel-roof, cable-dome, "
-                    "spoke-wheel, tensegrity-simplex, or hypar:RxC with rows and columns of free "
-                    "nodes, as in hypar:20x30",
+                    "spoke-wheel, tensegrity-simplex, sliding-ridge, or hypar:RxC with rows and "
+                    "columns of free nodes, as in hypar:20x30",
                     name));
 }
 

@@ -161,7 +161,7 @@ bool balance(EquilibriumSolver& solver, const CableNet& net, const Eigen::Vector
              const Points& start, BalancedDraw& result) {
     const Equilibrium found = solver.solve(lengths, start);
     result.form = found.form;
-    result.tensions = tensions(net, lengths, found.form);
+    result.tensions = tensions(net, found.unstressed_lengths, found.form);
     return found.balanced();
 }
 

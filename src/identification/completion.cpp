@@ -73,7 +73,8 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
                     taut::tensions(net, net.unstressed_lengths(), net.nodes()).cwiseAbs().mean()) {
             result.predicted.status = EquilibriumStatus::slack_mechanism;
         }
-        result.tensions = tensions(identified, l_0, result.predicted.form);
+        result.tensions =
+            tensions(identified, result.predicted.unstressed_lengths, result.predicted.form);
     };
     if (result.uncertain.empty() && !result.frame_offset && result.boundary_outliers.empty()) {
         balance(net, lengths);

@@ -186,7 +186,7 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     if (!equilibrium.balanced()) {
         return std::nullopt;
     }
-    const Eigen::VectorXd under = tensions(net, net.unstressed_lengths(), equilibrium.form);
+    const Eigen::VectorXd under = tensions(net, equilibrium.unstressed_lengths, equilibrium.form);
     const Eigen::VectorXd& designed = planned.tensions();
     const double highest = 2.0 * designed.cwiseAbs().maxCoeff();
     const Eigen::VectorXd& breaking = net.data().breaking_load;

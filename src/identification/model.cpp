@@ -10,6 +10,7 @@
 #include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
+#include "net/sliding_nodes.hpp"
 #include "numerics/fnv1a.hpp"
 #include "numerics/parallel.hpp"
 #include "shared_work.hpp"
@@ -149,6 +150,7 @@ std::string_view to_string(KernelMetric metric) {
 
 LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
                   const TrainingSettings& settings, const Progress& progress) {
+    refuse_sliding(net);
     check(net, data, samples);
     require_same_samples(data, samples);
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);

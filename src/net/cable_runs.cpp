@@ -70,6 +70,17 @@ std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges, const 
     return result;
 }
 
+void refuse_sliding(const CableNet& net) {
+    const std::vector<CableRun>& runs = net.data().runs;
+    for (int k = 0; k < std::ssize(runs); ++k) {
+        if (!runs[k].slides_at.empty()) {
+            throw NetError("runs", {k},
+                           "slides at its nodes: lengths of such a net are not identified yet, nor "
+                           "is a model trained. Without slides_at its edges are taken as clamped");
+        }
+    }
+}
+
 std::vector<std::vector<int>> cable_runs(const CableNet& net) {
     std::vector<std::vector<int>> runs;
     if (!net.data().runs.empty()) {

@@ -248,6 +248,9 @@ ConeSolution solve_cone_program(const CableNet& net,
     if (net.sags()) {
         throw std::invalid_argument("net has cables that sag: their energy fits no cone program");
     }
+    if (!net.sliding_nodes().empty()) {
+        throw std::invalid_argument("net has runs that slide: they fit no cone program");
+    }
     const Units units = units_for(net, unstressed_lengths);
     const Assembly assembly(net, unstressed_lengths, units, settings.form);
     const ConicSolution found = solve_conic(assembly.program(), settings.max_iterations);

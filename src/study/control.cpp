@@ -65,11 +65,11 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
 
 CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const Points& start) {
     CableNetData data = with_weight_as_load(net);
-    data.unstressed_lengths = lengths;
     const Equilibrium equilibrium = EquilibriumSolver(net).solve(lengths, start);
     if (!equilibrium.balanced()) {
         throw NumericalError("a simulated net finds no equilibrium");
     }
+    data.unstressed_lengths = equilibrium.unstressed_lengths;
     data.nodes = equilibrium.form;
     return CableNet(std::move(data));
 }

@@ -60,6 +60,13 @@ TEST(StrokeResponse, HasTheRatesOfReactionsAtElasticSupports) {
     expect_rates(net, net.unstressed_lengths(), 2e-5);
 }
 
+TEST(StrokeResponse, HasTheRatesOfCablesThatSlide) {
+    CableNetData data = sliding_ridge().data();
+    data.runs[0].friction = 0.0;  // with friction rates are those of one direction
+    const CableNet net(data);
+    expect_rates(net, net.unstressed_lengths(), 2e-5);
+}
+
 TEST(StrokeResponse, HasTheRatesOfSlackEdgesToo) {
     const CableNet net = hypar(4, 5);
     Eigen::VectorXd lengths = net.unstressed_lengths();

@@ -76,6 +76,17 @@ TEST(NetsWithStruts, AreInEquilibriumAndTautWithPressedStruts) {
     }
 }
 
+TEST(SlidingRidge, IsInEquilibriumWithoutSlidingAnyFurther) {
+    const CableNet net = builtin_net("sliding-ridge");
+    EXPECT_EQ(net.name(), "sliding-ridge");
+    const Equilibrium e = solve_equilibrium(net);
+    EXPECT_EQ(e.status, EquilibriumStatus::converged);
+    EXPECT_LT((e.form - net.nodes()).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_LT((e.unstressed_lengths - net.unstressed_lengths()).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_TRUE(e.slack_edges.empty());
+    EXPECT_EQ(net.sliding_nodes().size(), 7U);
+}
+
 TEST(TensegritySimplex, HasThePublishedSelfStress) {
     const CableNet net = tensegrity_simplex();
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());

@@ -59,6 +59,8 @@ void expect_same(const CableNetData& a, const CableNetData& b) {
     for (size_t k = 0; k < a.runs.size(); ++k) {
         EXPECT_EQ(a.runs[k].name, b.runs[k].name);
         EXPECT_EQ(a.runs[k].edges, b.runs[k].edges);
+        EXPECT_EQ(a.runs[k].slides_at, b.runs[k].slides_at);
+        EXPECT_EQ(a.runs[k].friction, b.runs[k].friction);
     }
 }
 
@@ -102,6 +104,14 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     bare.thread.clear();
     bare.runs.clear();
     EXPECT_EQ(net.fingerprint(), CableNet(bare).fingerprint());
+}
+
+TEST(NetJson, ReadsBackRunsThatSlide) {
+    const CableNet net = sliding_ridge();
+    ASSERT_FALSE(net.data().runs.at(0).slides_at.empty());
+    const CableNet back = parse_net(net_to_json(net), "net.json").net;
+    expect_same(back.data(), net.data());
+    EXPECT_EQ(back.fingerprint(), net.fingerprint());
 }
 
 TEST(NetJson, ReadsBackStruts) {

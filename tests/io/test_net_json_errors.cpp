@@ -65,6 +65,8 @@ TEST(NetJsonErrors, AreAtTheJsonPointerOfTheValue) {
 /tension_law | [null, 0] | /tension_law/1: is 0, expected the index of one of the 0 tension laws
 /groups | {"a": [0, 7]} | 'a'[1]: is 7, expected the index of one of the 2 edges
 /runs | [{"edges": [0, 7]}] | /runs/0: edges[1]: is 7, expected the index of one of the 2 edges
+/runs | [{"edges": [0, 1], "slides_at": 1}] | /runs/0/slides_at: is 1, expected an array of indices
+/runs | [{"edges": [0, 1], "slides_at": [1], "friction": "x"}] | /runs/0/friction: is the text 'x', expected a number
 /runs | [{"name": "a"}] | /runs/0/edges: is missing, expected an array of edges
 /mass | [1, -1] | /mass/1: is -1, expected a finite number of at least 0
 /expansion | [1e-5, 1e-5, 1e-5] | has 3 entries, expected 2, one for each edge

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against runs of cable that end where the cable continues, and against runs found by
-// geometry if the net gives its own.
+// geometry if the net gives its own, and runs that slide where they cannot.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +44,77 @@ TEST(CableRuns, AreThoseOfTheNetIfItGivesAny) {
     CableNetData data = hypar(3, 3).data();
     data.runs = {{.name = "warp", .edges = {4, 2}}, {.name = "", .edges = {7}}};
     EXPECT_EQ(cable_runs(CableNet(data)), (std::vector<std::vector<int>>{{4, 2}, {7}}));
+}
+
+/// The lines of a grid as runs, the first of which slides.
+CableNetData sliding_grid(double friction) {
+    CableNetData data = hypar(2, 3).data();
+    for (const std::vector<int>& edges : cable_runs(hypar(2, 3))) {
+        data.runs.push_back({.name = "", .edges = edges, .slides_at = {}});
+    }
+    CableRun& run = data.runs[0];
+    for (size_t i = 0; i + 1 < run.edges.size(); ++i) {
+        const Edge& after = data.edges[run.edges[i + 1]];
+        for (const int node : data.edges[run.edges[i]]) {
+            if (std::ranges::find(after, node) != after.end()) {
+                run.slides_at.push_back(node);
+            }
+        }
+    }
+    run.friction = friction;
+    return data;
+}
+
+TEST(CableRuns, SlideBetweenEdgesThatFollowEachOther) {
+    CableNetData data = sliding_grid(0.2);
+    const CableRun run = data.runs[0];
+    data.runs[0].slides_at = {run.slides_at[1]};
+    const CableNet net(data);
+    ASSERT_EQ(net.sliding_nodes().size(), 1U);
+    const SlidingNode& at = net.sliding_nodes()[0];
+    EXPECT_EQ(at.node, run.slides_at[1]);
+    EXPECT_EQ(at.before, run.edges[1]);
+    EXPECT_EQ(at.after, run.edges[2]);
+    EXPECT_EQ(at.friction, 0.2);
+}
+
+TEST(CableRuns, ThatSlideChangeTheStatics) {
+    const std::string fingerprint = CableNet(sliding_grid(0.2)).fingerprint();
+    EXPECT_NE(fingerprint, hypar(2, 3).fingerprint());
+    EXPECT_NE(fingerprint, CableNet(sliding_grid(0.1)).fingerprint());
+    CableNetData data = sliding_grid(0.2);
+    data.runs[0].slides_at.pop_back();
+    EXPECT_NE(fingerprint, CableNet(data).fingerprint());
+}
+
+TEST(CableRuns, ThatCannotSlideAreRefused) {
+    const auto refused = [](const auto& change) {
+        return [change] {
+            CableNetData data = sliding_grid(0.0);
+            change(data.runs[0], data);
+            CableNet{std::move(data)};
+        };
+    };
+    const auto says = [](const char* text) {
+        return testing::ThrowsMessage<NetError>(testing::HasSubstr(text));
+    };
+    EXPECT_THAT(
+        refused([](CableRun& run, CableNetData& data) { run.slides_at = {data.supports[0]}; }),
+        says("expected a node between two edges of the run that follow each other"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.slides_at[1] = run.slides_at[0]; }),
+                says("slides_at[1]: lists node"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.slides_at[0] = 99; }),
+                says("runs[0]: slides_at[0]: is 99, expected the index of one of"));
+    EXPECT_THAT(
+        refused([](CableRun& run, CableNetData&) { std::swap(run.edges[0], run.edges[1]); }),
+        says("follow each other in its list"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.friction = -0.1; }),
+                says("friction is -0.1, expected a number of 0 to 10"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData& data) {
+                    data.kind.assign(data.edges.size(), EdgeKind::cable);
+                    data.kind[run.edges[1]] = EdgeKind::strut;
+                }),
+                says("which is a strut"));
 }
 
 }  // namespace

@@ -8,12 +8,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "statics/reference_net.hpp"
 #include "support/finite_differences.hpp"
 #include "support/small_nets.hpp"
-#include "taut/net/cable_runs.hpp"
+#include "taut/statics/cone_program.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
@@ -202,28 +201,10 @@ TEST(Sliding, TheGradientByTheNetIsThatOfTheNetThatSlides) {
     EXPECT_NEAR(gradient.loads(2, 3), by_load, 1e-5 * gradient.loads.cwiseAbs().maxCoeff());
 }
 
-TEST(Sliding, ARunThatCannotSlideIsRefused) {
-    const auto refused = [](const auto& change) {
-        return [change] {
-            CableNetData data = ridge().data();
-            change(data.runs[0], data);
-            CableNet{std::move(data)};
-        };
-    };
-    const auto says = [](const char* text) { return ThrowsMessage<NetError>(HasSubstr(text)); };
-    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.slides_at = {0}; }),
-                says("runs[0]: slides_at[0]: is 0, expected a node between two edges"));
-    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.slides_at = {1, 1}; }),
-                says("slides_at[1]: lists node 1 a second time"));
-    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.edges = {0, 2, 1, 3, 4}; }),
-                says("expected a node between two edges of the run that follow each other"));
-    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.friction = -0.1; }),
-                says("friction is -0.1"));
-    EXPECT_THAT(refused([](CableRun&, CableNetData& data) {
-                    data.kind.assign(data.edges.size(), EdgeKind::cable);
-                    data.kind[3] = EdgeKind::strut;
-                }),
-                says("holds edge 3, which is a strut"));
+TEST(Sliding, HasNoConeProgram) {
+    const CableNet net = ridge();
+    EXPECT_THAT([&] { (void)solve_cone_program(net, net.unstressed_lengths()); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("slide")));
 }
 
 }  // namespace

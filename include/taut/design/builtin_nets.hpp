@@ -44,8 +44,14 @@ namespace taut {
 /// "strut", "horizontal" and "vertical".
 [[nodiscard]] TAUT_CORE_EXPORT CableNet tensegrity_simplex();
 
+/// A tent's frame of cables, 16 m long: a ridge that runs over two masts and through the clamps of
+/// seven cross cables and slides in all of them, with friction, and a valley on either side.
+/// Turnbuckles at the ends of the ridge and in the hold-downs. Groups "ridge", "valley", "cross"
+/// and "hold-down".
+[[nodiscard]] TAUT_CORE_EXPORT CableNet sliding_ridge();
+
 /// The built-in net of a name: "hilo-quarter", "steel-roof", "cable-dome", "spoke-wheel",
-/// "tensegrity-simplex", or "hypar:RxC".
+/// "tensegrity-simplex", "sliding-ridge", or "hypar:RxC".
 /// @throws std::invalid_argument listing these names, for any other
 [[nodiscard]] TAUT_CORE_EXPORT CableNet builtin_net(std::string_view name);
 

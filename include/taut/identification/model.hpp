@@ -91,6 +91,7 @@ struct LengthModel {
 /// @param progress gets the stages of gp::estimate_input_scales() and gp::fit()
 /// @throws std::invalid_argument for a data set of another net, fewer than two samples, or an index
 ///   out of range, and for `as_in_paper` with another mean function or kernel than the paper's
+/// @throws NetError where a run of the net slides
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_CORE_EXPORT LengthModel train(const CableNet& net, const DataSet& data,
                                                  const std::vector<int>& samples,

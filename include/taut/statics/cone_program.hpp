@@ -85,8 +85,8 @@ struct ConeSolution {
 /// of force is the mean tension at the net's nodes; if all edges are slack there, the mean load or
 /// the mean axial stiffness. So nets of any size behave alike.
 /// @param unstressed_lengths l_0 of all edges (m) [m]
-/// @throws std::invalid_argument for a net with struts, wrong sizes, a length that is not positive
-///   and finite, and if taut was built without the conic solver
+/// @throws std::invalid_argument for a net with struts or runs that slide, wrong sizes, a length
+///   that is not positive and finite, and if taut was built without the conic solver
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT ConeSolution
 solve_cone_program(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                    ConeProgramSettings settings = {});
