@@ -283,9 +283,9 @@ void check_runs(const CableNetData& data) {
         if (slides_at.empty()) {
             continue;
         }
-        if (!(friction >= 0.0 && friction <= 10.0)) {
+        if (const double given = friction.value_or(0.0); !(given >= 0.0 && given <= 10.0)) {
             throw NetError("runs", {k},
-                           fmt::format("friction is {}, expected a number of 0 to 10", friction));
+                           fmt::format("friction is {}, expected a number of 0 to 10", given));
         }
         for (const int edge : edges) {
             if (!data.kind.empty() && data.kind[edge] == EdgeKind::strut) {

@@ -119,6 +119,17 @@ double rounding(const LocalNet& net, const NetState& state) {
 
 }  // namespace
 
+double contact_angle(const std::vector<Edge>& edges, const Eigen::Ref<const Points>& form,
+                     const SlidingNode& at) {
+    const auto away = [&](int edge) -> Eigen::Vector3d {
+        const auto [s, t] = edges[edge];
+        return form.col(s == at.node ? t : s) - form.col(at.node);
+    };
+    const Eigen::Vector3d a = away(at.before);
+    const Eigen::Vector3d b = away(at.after);
+    return std::atan2(a.cross(b).norm(), -a.dot(b));
+}
+
 std::vector<SlidingBalance> sliding_balances(const std::vector<SlidingNode>& nodes,
                                              const LengthRates& rates) {
     constexpr double at_limit = 1e-6;

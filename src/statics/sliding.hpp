@@ -14,6 +14,12 @@
 
 namespace taut {
 
+/// The angle by which a run turns at a node where it slides.
+/// @param form of a net with these edges (3 x n)
+[[nodiscard]] TAUT_CORE_EXPORT double contact_angle(const std::vector<Edge>& edges,
+                                                    const Eigen::Ref<const Points>& form,
+                                                    const SlidingNode& at);
+
 /// What balances where a run slides through a node, docs/theory.md (capstan): of_after times the
 /// tension behind it less of_before times that before it is 0.
 struct SlidingBalance {

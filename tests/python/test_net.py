@@ -39,6 +39,42 @@ def test_a_net_is_made_of_arrays_and_gives_them_back():
     )
 
 
+def test_runs_slide_where_they_are_said_to(tmp_path):
+    ridge = taut.builtin_net("sliding-ridge")
+    (run,) = ridge.to_dict()["runs"]
+    settings = {
+        "supports": ridge.supports,
+        "nodes": ridge.nodes,
+        "edges": ridge.edges,
+        "axial_stiffness": ridge.axial_stiffness,
+        "unstressed_lengths": ridge.unstressed_lengths,
+        "adjustable": ridge.adjustable_edges,
+        "runs": {"ridge": run["edges"]},
+    }
+    clamped = taut.CableNet(**settings)
+    assert clamped.fingerprint != ridge.fingerprint
+    same = taut.CableNet(
+        **settings, slides_at={"ridge": run["slides_at"]}, friction={"ridge": run["friction"]}
+    )
+    assert same.fingerprint == ridge.fingerprint
+    with pytest.raises(ValueError, match="friction: got 'valley', expected one of runs"):
+        taut.CableNet(**settings, friction={"valley": 0.1})
+
+    longer = ridge.unstressed_lengths.copy()
+    longer[run["edges"][0]] += 0.05
+    found = taut.solve_equilibrium(ridge, longer)
+    assert found.is_balanced
+    assert np.isclose(found.unstressed_lengths.sum(), longer.sum(), atol=1e-12)
+    assert np.abs(found.unstressed_lengths - longer).max() > 0.01
+
+    survey = taut.read_survey(ridge, taut.simulate_survey(ridge, ridge.nodes, noise=5e-4, seed=1))
+    result = taut.identify(ridge, survey, prior="normal:2mm", uncertain=["none"], draws=0)
+    (stretch,) = result.stretches
+    assert stretch["edges"] == run["edges"]
+    slips = [one for one in result.uncertain if one["parameter"] == "slip:100mm"]
+    assert len(slips) == len(run["slides_at"])
+
+
 def test_struts_are_a_kind_of_edges(tmp_path):
     dome = taut.cable_dome()
     struts = np.array([kind == "strut" for kind in dome.kind])
