@@ -82,7 +82,9 @@ Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
         return result;
     }
     result.stress = stress_states(net, lengths, equilibrium.form);
-    if (net.edge_count() <= most_edges_for_identifiability) {
+    if (!net.sliding_nodes().empty()) {
+        result.left_out = "identifiability: runs of the net slide";
+    } else if (net.edge_count() <= most_edges_for_identifiability) {
         result.identifiability = identifiability(net, lengths, equilibrium.form);
     } else {
         result.left_out =
@@ -100,10 +102,10 @@ Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
 }
 
 Inspection inspect(const CableNet& net) {
-    const Eigen::VectorXd& unstressed = net.unstressed_lengths();
+    Equilibrium equilibrium = solve_equilibrium(net);
+    const Eigen::VectorXd unstressed = equilibrium.unstressed_lengths;
     const Eigen::VectorXd lengths = edge_lengths(net, net.nodes());
     const Eigen::VectorXd edge_tensions = tensions(net, unstressed, net.nodes());
-    Equilibrium equilibrium = solve_equilibrium(net);
     Analysis analysis = analyse(net, equilibrium);
     Eigen::VectorXd strains = lengths.cwiseQuotient(unstressed).array() - 1.0;
     strains = (edge_tensions.array() == 0.0).select(0.0, strains);

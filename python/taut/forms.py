@@ -63,8 +63,9 @@ class Solution:
         lengths: Array,
         start: ArrayLike | None = None,
     ):
-        self._net, self._lengths = net, lengths.copy()
+        self._net = net
         found = solver.solve(lengths, start)
+        self._lengths = found.unstressed_lengths.copy()  # where runs slide, not those given
         if not found.is_balanced:
             raise ArithmeticError(f"no equilibrium: {found!r}")
         if found.status != "converged":

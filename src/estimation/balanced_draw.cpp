@@ -56,7 +56,7 @@ double length_of_tension(const StaticsModel& model, int edge, double length, dou
     const TensionLaw* law = net.tension_law(edge);
     const double strain = law == nullptr ? tension / (stiffness * net.axial_stiffness()(edge))
                                          : law->stiffened(stiffness).strain_at(tension);
-    return model.common.cold(edge, length / (1.0 + strain), common);
+    return length / (1.0 + strain) / (1.0 + model.common.thermal_strain(edge, common));
 }
 
 /// Separates the deviations of a draw into blur, (own-stiffness) and (blurred-law), and the edges'
@@ -115,7 +115,6 @@ ModelPerturbation drawn_perturbation(const StaticsModel& model, const Iterate& d
     for (int e = 0; e < net.edge_count(); ++e) {
         result.stiffness(e) = std::log(common.stiffness_factor(e, drawn.common)) + own_stiffness(e);
         result.thermal(e) = common.thermal_strain(e, drawn.common);
-        result.adjustable(e) = common.slip(e, drawn.common) / (1.0 + result.thermal(e));
     }
     result.supports(Eigen::all, net.supports()) =
         (drawn.form - net.nodes())(Eigen::all, net.supports());

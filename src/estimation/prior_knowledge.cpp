@@ -5,29 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "net/sliding_nodes.hpp"
-#include "statics/sliding.hpp"
-#include "taut/statics/equilibrium.hpp"
-#include "taut/statics/tensions.hpp"
-
 namespace taut {
-namespace {
-
-/// (slips): tensions of the edges of a stretch differ from that of the stretch by friction alone.
-void observe_stretches(const PriorKnowledge& knowledge, int first, Observations& result) {
-    int place = first;
-    for (const PriorKnowledge::StretchTension& stretch : knowledge.stretches) {
-        for (const int edge : stretch.edges) {
-            result.tension(edge) = stretch.mean;
-            result.tension_weights(edge) = 1.0 / (stretch.scatter * stretch.scatter);
-            result.tension_bias(edge, place) = -stretch.std;
-        }
-        ++place;
-    }
-}
-
-}  // namespace
-
 void observe_force(const ForceMeasurement& force, const std::vector<UncertainParameter>& uncertain,
                    Observations& result) {
     using Kind = UncertainParameter::Kind;
@@ -45,32 +23,6 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
     }
     result.tension_weights(force.edge) =
         1.0 / (force.std * force.std + force.shared_std * force.shared_std);
-}
-
-PriorKnowledge::PriorKnowledge(const CableNet& net, const LengthPrior& prior)
-    : priors(net.interior_edge_count(), prior) {
-    if (net.sliding_nodes().empty()) {
-        return;
-    }
-    constexpr double any = 3.0;       // of the tension as designed: nothing is assumed of it
-    constexpr double rubbing = 1e-3;  // of it, without friction
-    const Equilibrium nominal = solve_equilibrium(net);
-    const Eigen::VectorXd tension = tensions(net, nominal.unstressed_lengths, nominal.form);
-    for (const std::vector<int>& edges : sliding_stretches(net)) {
-        const double mean = std::max(tension(edges).mean(), 1e-9 * net.axial_stiffness()(edges[0]));
-        double variance = rubbing * rubbing;
-        for (const SlidingNode& at : net.sliding_nodes()) {
-            if (std::ranges::find(edges, at.before) != edges.end()) {
-                variance +=
-                    std::pow(at.most_friction * contact_angle(net.edges(), nominal.form, at), 2) /
-                    3.0;
-            }
-        }
-        stretches.push_back({.edges = edges,
-                             .mean = mean,
-                             .std = any * mean,
-                             .scatter = mean * std::sqrt(variance)});
-    }
 }
 
 double PriorKnowledge::length_std() const {
@@ -162,12 +114,6 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
     result.set_evidence(knowledge.evidence);
     for (const ForceMeasurement& force : knowledge.forces.measurements) {
         observe_force(force, knowledge.uncertain, result);
-    }
-    if (std_of(knowledge.uncertain, UncertainParameter::Kind::slip) > 0.0) {
-        const auto given = std::ranges::count_if(knowledge.uncertain, is_common);
-        observe_stretches(knowledge,
-                          static_cast<int>(given) + static_cast<int>(net.sliding_nodes().size()),
-                          result);
     }
     return result;
 }

@@ -22,17 +22,10 @@ struct PriorKnowledge {
     bool frame_is_unknown = false;                   ///< of the survey
     Points test_loads = Points(3, 0);                ///< of the survey, in the net's loads [N]
     std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: none
-    /// Tension of a stretch that slides, (slips).
-    struct StretchTension {
-        std::vector<int> edges;
-        double mean;     ///< [N]
-        double std;      ///< [N]
-        double scatter;  ///< standard deviation of the tension of each edge from it [N]
-    };
-    std::vector<StretchTension> stretches = {};  ///< in the order of sliding_stretches()
 
-    /// One prior for all lengths, and nothing else but where runs slide.
-    PriorKnowledge(const CableNet& net, const LengthPrior& prior);
+    /// One prior for all lengths, and nothing else.
+    PriorKnowledge(const CableNet& net, const LengthPrior& prior)
+        : priors(net.interior_edge_count(), prior) {}
 
     /// Root mean square of the priors' standard deviations [m].
     [[nodiscard]] double length_std() const;

@@ -64,8 +64,7 @@ StaticsModel::StaticsModel(const CableNet& net, const std::vector<UncertainParam
 double StaticsModel::unstressed_length(int edge, const Iterate& iterate) const {
     const int i = m_numbering->interior_of[edge];
     const double cold = m_net->unstressed_lengths()(edge) + (i >= 0 ? iterate.deviations(i) : 0.0);
-    return cold * (1.0 + common.thermal_strain(edge, iterate.common)) +
-           common.slip(edge, iterate.common);
+    return cold * (1.0 + common.thermal_strain(edge, iterate.common));
 }
 
 /// The tension law, blurred or fixed, at a strain; without factors of uncertain parameters.
@@ -129,13 +128,10 @@ EdgeRates StaticsModel::rates(int edge, const Iterate& iterate) const {
 EdgeVariation StaticsModel::common_variation(int edge, int k, const Iterate& iterate) const {
     const auto [first, second] = m_net->edges()[edge];
     const double heated = 1.0 + common.thermal_strain(edge, iterate.common);
-    EdgeVariation result{
-        .stiffness = common.stiffness_rate(k, edge),
-        .length = ((unstressed_length(edge, iterate) - common.slip(edge, iterate.common)) *
-                       common.thermal_rate(k, edge) / heated +
-                   common.slip_rate(k, edge)) /
-                  heated,
-        .sag = common.sag_rate(k)};
+    EdgeVariation result{.stiffness = common.stiffness_rate(k, edge),
+                         .length = unstressed_length(edge, iterate) * common.thermal_rate(k, edge) /
+                                   (heated * heated),
+                         .sag = common.sag_rate(k)};
     if (!are_supports_uncertain()) {
         // (frame): of known supports; uncertain ones carry the motion in their own places.
         result.motion = common.support_rate(k, first) - common.support_rate(k, second);

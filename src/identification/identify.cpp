@@ -11,7 +11,6 @@
 #include "identification/net_balance.hpp"
 #include "identification/noise_estimate.hpp"
 #include "identification/over_priors.hpp"
-#include "identification/stretch_lengths.hpp"
 #include "identification/under_prior.hpp"
 #include "taut/identification/model.hpp"
 
@@ -22,12 +21,11 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     const LengthPrior prior =
         options.prior.value_or(options.model != nullptr ? options.model->prior : LengthPrior());
     const auto [method, reason] = checked_method(net, survey, prior, options);
-    std::vector<UncertainParameter> assumed = with_slips(net, options.uncertain);
-    IdentifyOptions used = options;
-    used.uncertain = assumed;
     const double noise_scale =
-        options.estimate_noise ? noise_scale_of(net, survey, prior, used, progress) : 1.0;
+        options.estimate_noise ? noise_scale_of(net, survey, prior, options, progress) : 1.0;
     const Survey scaled = with_noise_times(survey, noise_scale);
+    IdentifyOptions used = options;
+    std::vector<UncertainParameter> assumed = options.uncertain;
     if (options.assume_site && method == IdentificationMethod::map && survey.is_noisy()) {
         assumed = with_site_assumptions(net, options.uncertain, measured_by(options.forces));
         used.uncertain = with_uncertain_widths(assumed, options.uncertain);
@@ -43,7 +41,6 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (survey.is_noisy()) {
         take_out_mean_bias(result, net, scaled, used.uncertain, progress);
     }
-    set_stretch_deviations(result);
     if (result.status == IdentificationStatus::survey_does_not_fit) {
         const std::string text = net_balance_text(net);
         result.message += (text.empty() ? "" : " ") + text;

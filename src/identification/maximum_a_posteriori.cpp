@@ -28,7 +28,6 @@
 #include "identification/fit_diagnostics.hpp"
 #include "identification/parameter_estimates.hpp"
 #include "identification/slack_marks.hpp"
-#include "identification/stretch_lengths.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -119,7 +118,7 @@ void leave_out_released(Identification& result) {
 /// (marginal-mode), where so many edges make a difference.
 void move_to_marginal_mode(SurveyFit& fit, const SurveyFitSettings& settings) {
     const StaticsModel model = fit.at.model();
-    const int count = model.common.given_count();
+    const int count = model.common.kept_count() - (model.common.has_frame() ? 6 : 0);
     if (model.net().interior_edge_count() < fewest_for_marginal_mode || count == 0) {
         return;
     }
@@ -142,8 +141,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     check_uncertain_parameters(net, given.uncertain);
     IdentifiedEpoch epoch;
     Identification& result = epoch.identification;
-    const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence &&
-                              net.sliding_nodes().empty();
+    const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence;
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
         result = identify_by_exact_balance(net, survey, given.prior);
         result.method = "map";
@@ -215,8 +213,6 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         result.frame_offset = frame_offset_of(fitted);
     }
     result.uncertain = parameter_estimates(net, knowledge, fitted, observations);
-    result.stretches = stretch_lengths(net, knowledge, fitted);
-    set_stretch_deviations(result);
     leave_out_released(result);
     if (!trend.empty()) {
         take_up_trend(result, trend, fit_net);

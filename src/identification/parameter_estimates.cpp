@@ -13,8 +13,6 @@
 #include "estimation/hypotheses.hpp"
 #include "net/weight_as_load.hpp"
 #include "taut/estimation/edge_status.hpp"
-#include "taut/numerical_error.hpp"
-#include "taut/statics/equilibrium.hpp"
 
 namespace taut {
 namespace {
@@ -79,9 +77,6 @@ public:
                 case Kind::support_stiffness:
                     add_common(parameter, common++);
                     break;
-                case Kind::slip:
-                    add_slips(parameter);
-                    break;
                 case Kind::stiffness_each:
                     add_own_stiffness(parameter);
                     break;
@@ -109,27 +104,6 @@ private:
                             .mean = parameter.std * m_fitted.common(k),
                             .std = std_or(parameter.std * parameter.std * m_covariance.common(k, k),
                                           parameter.std)});
-    }
-
-    /// From the lengths as marked, those of the net, on: the net to fit has those that have slid in
-    /// the design.
-    void add_slips(const UncertainParameter& parameter) {
-        const Eigen::VectorXd designed =
-            m_model.net().unstressed_lengths() - m_net.unstressed_lengths();
-        const int first = m_model.common.first_of_slips();
-        int last = -1;
-        double slip = 0.0;
-        for (int k = 0; k < std::ssize(m_net.sliding_nodes()); ++k) {
-            const SlidingNode& at = m_net.sliding_nodes()[k];
-            slip = (at.before == last ? slip : 0.0) - designed(at.before);
-            last = at.after;
-            m_result.push_back({.parameter = parameter,
-                                .edge = at.after,
-                                .mean = slip + parameter.std * m_fitted.common(first + k),
-                                .std = std_or(parameter.std * parameter.std *
-                                                  m_covariance.common(first + k, first + k),
-                                              parameter.std)});
-        }
     }
 
     /// The share of an edge's deviation by a part of its prior variance.
@@ -294,14 +268,12 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
             return one.parameter != first->parameter;
         });
         const auto [given, expected] = variances_of({first, last});
-        result.push_back(
-            {.parameter = first->parameter,
-             // slips are counted from the marks, and nothing is assumed of them
-             .ratio = first->parameter.kind == Kind::slip ? 0.0 : spread_ratio({first, last}),
-             .shown = static_cast<double>(last - first) * expected / given,
-             .widening = first->parameter.kind == Kind::creep
-                             ? 1.0  // a walk: its steps are as wide as all of it
-                             : first->prior_std / first->parameter.std});
+        result.push_back({.parameter = first->parameter,
+                          .ratio = spread_ratio({first, last}),
+                          .shown = static_cast<double>(last - first) * expected / given,
+                          .widening = first->parameter.kind == Kind::creep
+                                          ? 1.0  // a walk: its steps are as wide as all of it
+                                          : first->prior_std / first->parameter.std});
         first = last;
     }
     return result;
@@ -363,18 +335,11 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 result.supports(estimate.axis, estimate.node) = mean;
                 break;
             case Kind::adjustable:
-                result.adjustable(estimate.edge) += mean;
+                result.adjustable(estimate.edge) = mean;
                 break;
             case Kind::support_stiffness:
                 result.support_stiffness = mean;
                 break;
-            case Kind::slip: {
-                const auto at =
-                    std::ranges::find(net.sliding_nodes(), estimate.edge, &SlidingNode::after);
-                result.adjustable(at->before) -= mean;
-                result.adjustable(at->after) += mean;
-                break;
-            }
             case Kind::loads:
                 result.loads = mean;
                 break;
@@ -393,28 +358,15 @@ ModelPerturbation perturbation_of(const CableNet& net,
     return result;
 }
 
-Eigen::VectorXd slid_lengths(const CableNet& net) {
-    const Equilibrium nominal = solve_equilibrium(net);
-    if (!nominal.balanced()) {
-        throw NumericalError(
-            "the net as designed finds no equilibrium in which its runs can slide");
-    }
-    return nominal.unstressed_lengths;
-}
-
 CableNet net_to_fit(const CableNet& net, const std::vector<UncertainParameter>& uncertain) {
     const bool needs_all_lengths =
         std_of(uncertain, Kind::adjustable) > 0.0 || std_of(uncertain, Kind::stiffness_each) > 0.0;
-    if (!needs_all_lengths && net.sliding_nodes().empty()) {
+    if (!needs_all_lengths) {
         return net;
     }
-    CableNetData data = net.sliding_nodes().empty()
-                            ? net.data()
-                            : with_lengths_of_same_weight(net, slid_lengths(net));
-    if (needs_all_lengths) {
-        data.adjustable.clear();
-        data.thread.clear();
-    }
+    CableNetData data = net.data();
+    data.adjustable.clear();
+    data.thread.clear();
     return CableNet(std::move(data));
 }
 

@@ -8,7 +8,6 @@
 #include "estimation/length_trend.hpp"
 #include "estimation/observations.hpp"
 #include "identification/parameter_estimates.hpp"
-#include "net/sliding_nodes.hpp"
 #include "numerics/dense.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -35,7 +34,6 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
             "the net has no interior edge: all unstressed lengths are known");
     }
     prior.check();
-    refuse_sliding(net, "a prediction of what a survey would show");
     check_survey(net, survey);
     check_forces(net, forces);
     check_for_one_survey(net, uncertain);

@@ -291,17 +291,6 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
                 return std::pair(part.uncertain[k].mean, part.uncertain[k].std);
             });
     }
-    for (size_t k = 0; k < result.stretches.size(); ++k) {
-        StretchLength& stretch = result.stretches[k];
-        std::tie(stretch.tension, stretch.tension_std) =
-            mixed(parts, [k](const Identification& part) {
-                return std::pair(part.stretches[k].tension, part.stretches[k].tension_std);
-            });
-        stretch.std =
-            mixed(parts, [k](const Identification& part) {
-                return std::pair(part.stretches[k].length_deviation, part.stretches[k].std);
-            }).second;
-    }
     if (result.frame_offset) {
         result.frame_offset = mixed_frame(parts);
     }

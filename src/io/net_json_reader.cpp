@@ -212,7 +212,7 @@ std::vector<CableRun> read_runs(const std::optional<JsonValue>& list) {
         runs[k] = {.name = name ? name->text() : "",
                    .edges = read_indices(run.require("edges", "an array of edges")),
                    .slides_at = slides_at ? read_indices(*slides_at) : std::vector<int>(),
-                   .friction = friction ? std::optional(friction->number()) : std::nullopt};
+                   .friction = friction ? friction->number() : 0.0};
     }
     return runs;
 }

@@ -103,11 +103,10 @@ std::string groups_text(const std::map<std::string, std::vector<int>>& groups) {
 std::string runs_text(const std::vector<CableRun>& runs) {
     return one_a_line(static_cast<Eigen::Index>(runs.size()), [&runs](Eigen::Index k) {
         const auto& [name, edges, slides_at, friction] = runs[static_cast<size_t>(k)];
-        std::string sliding =
-            slides_at.empty() ? "" : fmt::format(", \"slides_at\": {}", indices_text(slides_at));
-        if (friction) {
-            sliding += fmt::format(", \"friction\": {}", number_text(*friction));
-        }
+        const std::string sliding =
+            slides_at.empty() ? ""
+                              : fmt::format(", \"slides_at\": {}, \"friction\": {}",
+                                            indices_text(slides_at), number_text(friction));
         return fmt::format("{{{}\"edges\": {}{}}}",
                            name.empty() ? "" : fmt::format("\"name\": {}, ", text_text(name)),
                            indices_text(edges), sliding);

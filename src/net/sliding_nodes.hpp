@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -13,12 +12,8 @@ namespace taut {
 [[nodiscard]] std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges,
                                                         const CableRun& run);
 
-/// Edges of a stretch of cable that slides: a run from one clamp to the next, edge by edge.
-[[nodiscard]] std::vector<std::vector<int>> sliding_stretches(const CableNet& net);
-
 /// Refuses a net whose runs slide, for what does not know how lengths pass on.
-/// @param what that is, for the message: "a model"
 /// @throws NetError naming the first run that does
-void refuse_sliding(const CableNet& net, std::string_view what);
+void refuse_sliding(const CableNet& net);
 
 }  // namespace taut

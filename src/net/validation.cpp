@@ -280,12 +280,12 @@ void check_runs(const CableNetData& data) {
             }
             taken[edge] = true;
         }
+        if (!(friction >= 0.0 && friction <= 10.0)) {
+            throw NetError("runs", {k},
+                           fmt::format("friction is {}, expected a number of 0 to 10", friction));
+        }
         if (slides_at.empty()) {
             continue;
-        }
-        if (const double given = friction.value_or(0.0); !(given >= 0.0 && given <= 10.0)) {
-            throw NetError("runs", {k},
-                           fmt::format("friction is {}, expected a number of 0 to 10", given));
         }
         for (const int edge : edges) {
             if (!data.kind.empty() && data.kind[edge] == EdgeKind::strut) {
@@ -300,6 +300,15 @@ void check_runs(const CableNetData& data) {
                            fmt::format("slides_at[{}]: {}", error.index()[0], error.problem()));
         }
         const std::vector<SlidingNode> sliding = sliding_nodes_of(data.edges, data.runs[k]);
+        for (size_t i = 0; i + 1 < sliding.size(); ++i) {
+            if (sliding[i].after == sliding[i + 1].before &&
+                sliding[i].node == sliding[i + 1].node) {
+                throw NetError("runs", {k},
+                               fmt::format("comes to node {} by edge {} and leaves it by the same, "
+                                           "expected a path",
+                                           sliding[i].node, sliding[i].after));
+            }
+        }
         for (size_t i = 0; i < slides_at.size(); ++i) {
             if (std::ranges::find(sliding, slides_at[i], &SlidingNode::node) == sliding.end()) {
                 throw NetError(

@@ -86,7 +86,7 @@ struct Sampler::State {
           seed(with_seed),
           uncertain(with_uncertain),
           nominal(nominal_equilibrium(net)),
-          sensitivity(net, net.unstressed_lengths(), nominal.form),
+          sensitivity(net, nominal.unstressed_lengths, nominal.form),
           solvers([this] { return EquilibriumSolver(net); }) {}
     ~State() = default;
     // Not copied: the solvers refer to this net.

@@ -112,6 +112,18 @@ struct FormSensitivity::Factor {
         return solve(std::move(rhs));
     }
 
+    /// Adds a value at the source of an edge, and its opposite at the target, where these are
+    /// supports.
+    void add_at_supports(int edge, const Eigen::Vector3d& value, Points& nodes) const {
+        const auto [s, t] = net.edges[edge];
+        if (s >= net.free_count) {
+            nodes.col(net.node_of[s]) += value;
+        }
+        if (t >= net.free_count) {
+            nodes.col(net.node_of[t]) -= value;
+        }
+    }
+
     void check_lengths(const char* name, const Eigen::Ref<const Eigen::VectorXd>& changes) const {
         check_size(name, changes.size(), lengths.size());
     }
@@ -183,9 +195,9 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
     }
     multipliers = f.solve(std::move(multipliers));
     Eigen::VectorXd of_tensions = Eigen::VectorXd::Zero(f.lengths.size());
+    Eigen::VectorXd of_balances;
     if (f.sliding) {  // (sliding-gradient)
-        const Eigen::VectorXd of_balances =
-            f.sliding->multipliers(f.along_force_rates(multipliers));
+        of_balances = f.sliding->multipliers(f.along_force_rates(multipliers));
         multipliers += f.sliding->moves * of_balances;
         of_tensions = f.sliding->by_tension.transpose() * of_balances;
     }
@@ -221,13 +233,13 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
         const Eigen::Vector3d pull =  // k x
             ((state.axial - across) * along - of_tensions(e) * state.axial) * state.direction +
             across * multiplier;
-        const auto [s, t] = f.net.edges[e];
-        if (s >= f.net.free_count) {
-            result.nodes.col(f.net.node_of[s]) -= pull;
-        }
-        if (t >= f.net.free_count) {
-            result.nodes.col(f.net.node_of[t]) += pull;
-        }
+        f.add_at_supports(e, -pull, result.nodes);
+    }
+    for (Eigen::Index k = 0; k < of_balances.size(); ++k) {
+        const SlidingBalance& one = f.sliding->balances[static_cast<size_t>(k)];
+        const auto& [by_before, by_after] = f.sliding->by_turn[static_cast<size_t>(k)];
+        f.add_at_supports(one.before, of_balances(k) * by_before, result.nodes);
+        f.add_at_supports(one.after, of_balances(k) * by_after, result.nodes);
     }
     return result;
 }

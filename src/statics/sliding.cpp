@@ -119,17 +119,6 @@ double rounding(const LocalNet& net, const NetState& state) {
 
 }  // namespace
 
-double contact_angle(const std::vector<Edge>& edges, const Eigen::Ref<const Points>& form,
-                     const SlidingNode& at) {
-    const auto away = [&](int edge) -> Eigen::Vector3d {
-        const auto [s, t] = edges[edge];
-        return form.col(s == at.node ? t : s) - form.col(at.node);
-    };
-    const Eigen::Vector3d a = away(at.before);
-    const Eigen::Vector3d b = away(at.after);
-    return std::atan2(a.cross(b).norm(), -a.dot(b));
-}
-
 std::vector<SlidingBalance> sliding_balances(const std::vector<SlidingNode>& nodes,
                                              const LengthRates& rates) {
     constexpr double at_limit = 1e-6;
@@ -166,8 +155,9 @@ SlidingRates::SlidingRates(const LengthRates& rates, const StiffnessFactor& fact
         by_tension(k, one.after) += one.of_after;
         by_tension(k, one.before) -= one.of_before;
         const ContactAngle turn = contact_angle(rates, one.before, one.after);
-        rates.add_force(one.before, one.by_angle * turn.by_before, moves.col(k));
-        rates.add_force(one.after, one.by_angle * turn.by_after, moves.col(k));
+        by_turn.push_back({one.by_angle * turn.by_before, one.by_angle * turn.by_after});
+        rates.add_force(one.before, by_turn.back()[0], moves.col(k));
+        rates.add_force(one.after, by_turn.back()[1], moves.col(k));
         for (const int edge : {one.before, one.after}) {
             const EdgeState& state = rates.states[edge];
             if (state.carries()) {  // a continued tension follows lengths alone

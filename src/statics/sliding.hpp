@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/QR>
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -13,12 +14,6 @@
 #include "statics/stiffness_factor.hpp"
 
 namespace taut {
-
-/// The angle by which a run turns at a node where it slides.
-/// @param form of a net with these edges (3 x n)
-[[nodiscard]] TAUT_CORE_EXPORT double contact_angle(const std::vector<Edge>& edges,
-                                                    const Eigen::Ref<const Points>& form,
-                                                    const SlidingNode& at);
 
 /// What balances where a run slides through a node, docs/theory.md (capstan): of_after times the
 /// tension behind it less of_before times that before it is 0.
@@ -53,6 +48,9 @@ struct SlidingRates {
     Eigen::MatrixXd moves;                 ///< K^-1 times their gradients by places (3 n_I x k)
     Eigen::MatrixXd by_length;             ///< with the form that follows (k x m) [N/m]
     Eigen::MatrixXd by_slip;               ///< k x k [N/m]
+    /// Of each, through the angle at its node, by the vectors of the edges before and behind it, as
+    /// LengthRates::across() [N/m].
+    std::vector<std::array<Eigen::Vector3d, 2>> by_turn;
 
 private:
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> m_factor;  ///< of by_slip

@@ -108,8 +108,23 @@ TEST(CableRuns, ThatCannotSlideAreRefused) {
     EXPECT_THAT(
         refused([](CableRun& run, CableNetData&) { std::swap(run.edges[0], run.edges[1]); }),
         says("follow each other in its list"));
-    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.friction = -0.1; }),
-                says("friction is -0.1, expected a number of 0 to 10"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) {
+                    run.friction = NAN;
+                    run.slides_at.clear();
+                }),
+                says("friction is nan, expected a number of 0 to 10"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData& data) {
+                    // across one node of the grid, and back
+                    const int node = run.slides_at[0];
+                    std::vector<int> star;
+                    for (int e = 0; e < std::ssize(data.edges); ++e) {
+                        if (std::ranges::find(data.edges[e], node) != data.edges[e].end()) {
+                            star.push_back(e);
+                        }
+                    }
+                    data.runs = {{.name = "star", .edges = star, .slides_at = {node}}};
+                }),
+                says("and leaves it by the same, expected a path"));
     EXPECT_THAT(refused([](CableRun& run, CableNetData& data) {
                     data.kind.assign(data.edges.size(), EdgeKind::cable);
                     data.kind[run.edges[1]] = EdgeKind::strut;

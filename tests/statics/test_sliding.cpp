@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "statics/reference_net.hpp"
 #include "support/finite_differences.hpp"
 #include "support/small_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
@@ -163,42 +165,90 @@ TEST(Sliding, DerivativesAreThoseOfTheNetThatSlides) {
     }
 }
 
+/// By differences: of the sum of all coordinates of the form, each with a weight.
+class FormFunction {
+public:
+    explicit FormFunction(const CableNet& net)
+        : m_net(net),
+          m_start(solve_equilibrium(net)),
+          m_weights(Points::NullaryExpr(3, net.node_count(), [](Eigen::Index i) {
+              return std::sin(1.7 * static_cast<double>(i));
+          })) {}
+
+    [[nodiscard]] NetGradient gradient() const {
+        EXPECT_EQ(m_start.status, EquilibriumStatus::converged);
+        return FormSensitivity(m_net, m_start.unstressed_lengths, m_start.form)
+            .net_gradient(m_weights);
+    }
+    [[nodiscard]] double slope(const std::function<void(CableNetData&, double)>& change,
+                               double step) const {
+        const auto value = [&](double by) {
+            CableNetData data = m_net.data();
+            change(data, by);
+            const CableNet other(std::move(data));
+            return EquilibriumSolver(other)
+                .solve(other.unstressed_lengths(), m_start.form)
+                .form.cwiseProduct(m_weights)
+                .sum();
+        };
+        return (value(step) - value(-step)) / (2.0 * step);
+    }
+
+private:
+    const CableNet& m_net;
+    Equilibrium m_start;
+    Points m_weights;
+};
+
 TEST(Sliding, TheGradientByTheNetIsThatOfTheNetThatSlides) {
     const CableNet net = ridge();
-    const Equilibrium e = solve_equilibrium(net);
-    const Points weights = Points::NullaryExpr(
-        3, net.node_count(), [](Eigen::Index i) { return std::sin(1.7 * static_cast<double>(i)); });
-    const NetGradient gradient =
-        FormSensitivity(net, e.unstressed_lengths, e.form).net_gradient(weights);
-    const auto moved = [&](const auto& change, double step) {
-        CableNetData data = net.data();
-        change(data, step);
-        const CableNet other(std::move(data));
-        return EquilibriumSolver(other)
-            .solve(other.unstressed_lengths(), e.form)
-            .form.cwiseProduct(weights)
-            .sum();
-    };
-    const auto slope = [&](const auto& change, double step) {
-        return (moved(change, step) - moved(change, -step)) / (2.0 * step);
-    };
+    const FormFunction function(net);
+    const NetGradient gradient = function.gradient();
     for (const int edge : {0, 2, 4, 6}) {
-        const double by_stiffness = slope(
+        const double by_stiffness = function.slope(
             [&](CableNetData& data, double step) { data.axial_stiffness(edge) += step; }, 100.0);
         EXPECT_NEAR(gradient.axial_stiffness(edge), by_stiffness,
                     1e-5 * gradient.axial_stiffness.cwiseAbs().maxCoeff());
-        const double by_length = slope(
+        const double by_length = function.slope(
             [&](CableNetData& data, double step) { data.unstressed_lengths(edge) += step; }, 1e-5);
         EXPECT_NEAR(gradient.unstressed_lengths(edge), by_length, 1e-4);
     }
     for (const auto& [node, axis] : {std::pair(0, 0), std::pair(5, 2), std::pair(8, 1)}) {
-        const double by_place =
-            slope([&](CableNetData& data, double step) { data.nodes(axis, node) += step; }, 1e-5);
+        const double by_place = function.slope(
+            [&, n = node, a = axis](CableNetData& data, double step) { data.nodes(a, n) += step; },
+            1e-5);
         EXPECT_NEAR(gradient.nodes(axis, node), by_place, 1e-4);
     }
     const double by_load =
-        slope([&](CableNetData& data, double step) { data.loads(2, 3) += step; }, 0.1);
+        function.slope([&](CableNetData& data, double step) { data.loads(2, 3) += step; }, 0.1);
     EXPECT_NEAR(gradient.loads(2, 3), by_load, 1e-5 * gradient.loads.cwiseAbs().maxCoeff());
+}
+
+TEST(Sliding, TheGradientByPlacesHasTheAngleOfTheCableAtASupport) {
+    CableNetData data = sliding_ridge().data();
+    const auto& edges = data.runs.at(0).edges;
+    data.runs.at(0).friction = 0.05;
+    data.unstressed_lengths(edges.front()) -= 0.03;
+    data.unstressed_lengths(edges.back()) += 0.02;
+    const CableNet net(std::move(data));
+    const Equilibrium e = solve_equilibrium(net);
+    const FormFunction function(net);
+    const NetGradient gradient = function.gradient();
+    int masts = 0;
+    for (const SlidingNode& at : net.sliding_nodes()) {
+        if (net.free_index(at.node) >= 0) {
+            continue;
+        }
+        ++masts;
+        for (const int axis : {0, 1, 2}) {
+            const double by_place = function.slope(
+                [&](CableNetData& moved, double step) { moved.nodes(axis, at.node) += step; },
+                1e-5);
+            EXPECT_NEAR(gradient.nodes(axis, at.node), by_place, 1e-3) << at.node << ' ' << axis;
+        }
+    }
+    EXPECT_EQ(masts, 2);
+    EXPECT_GT((e.unstressed_lengths - net.unstressed_lengths()).cwiseAbs().maxCoeff(), 1e-3);
 }
 
 TEST(Sliding, HasNoConeProgram) {

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -61,11 +60,7 @@ struct CableRun {
     std::string name;            ///< may be empty
     std::vector<int> edges;      ///< none in another run
     std::vector<int> slides_at;  ///< nodes between two edges of the run that follow each other
-    /// Coefficient of friction there; empty: not known. Forms are then those without friction, and
-    /// identification reckons with any up to unknown_friction.
-    std::optional<double> friction = {};
-
-    static constexpr double unknown_friction = 0.1;  ///< of steel on a saddle with grease or PTFE
+    double friction = 0.0;       ///< coefficient of friction there
 };
 
 /// A node that a run slides through.
@@ -74,7 +69,6 @@ struct SlidingNode {
     int before;  ///< edge of the run that ends there
     int after;   ///< the next edge of the run
     double friction;
-    double most_friction;  ///< that identification reckons with
 };
 
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).

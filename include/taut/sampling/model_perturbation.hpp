@@ -19,8 +19,7 @@ struct ModelPerturbation {
     Eigen::VectorXd thermal;    ///< m, thermal strain of the unstressed lengths
     /// 3 x n, displacements of supports, of elastic ones without load; 0 for other nodes [m]
     Points supports;
-    /// m, changes of unstressed lengths: of adjustable edges, and by what slid through nodes [m].
-    Eigen::VectorXd adjustable;
+    Eigen::VectorXd adjustable;      ///< m, changes of unstressed lengths; 0 for interior edges [m]
     double loads = 0.0;              ///< relative change of all loads
     Points own_loads;                ///< 3 x n, change of the load of each node [N]
     double support_stiffness = 0.0;  ///< logarithm of the factor of all elastic supports
