@@ -10,6 +10,7 @@ import pickle
 import numpy as np
 import pytest
 import taut
+from taut import gradients
 
 
 def arrays():
@@ -69,7 +70,7 @@ def test_runs_slide_where_they_are_said_to():
     # Derivatives are those of the net that has slid.
     change = np.zeros_like(longer)
     change[run["edges"][0]] = 1e-5
-    form, pullback = taut.gradients.form_vjp(smooth, longer)
+    form, pullback = gradients.form_vjp(smooth, longer)
     weights = np.sin(np.arange(form.size)).reshape(form.shape)
     ahead = taut.solve_equilibrium(smooth, longer + change).form
     behind = taut.solve_equilibrium(smooth, longer - change).form
