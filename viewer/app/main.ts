@@ -133,7 +133,7 @@ interface Suggestions {
   left_out: string[];
 }
 
-/** Which measurements besides the survey would tell most. */
+/** Which measurements besides the survey would show most. */
 async function suggest(work: Work): Promise<string> {
   const survey = lastSurvey();
   if (survey === undefined) throw new Error("There is no survey yet: drop its file.");
@@ -146,7 +146,7 @@ async function suggest(work: Work): Promise<string> {
   const [factor, unit] = quantity === "form" ? [1e3, "mm"] : mean ? [100 / mean, "%"] : [1e-3, "kN"];
   const amount = (value: number | null | undefined, kind: string): string =>
     value == null ? "–" : kind === "frequency" ? `${value.toPrecision(3)}\u00a0Hz` : ["load-cell", "load"].includes(kind) ? `${(value / 1e3).toPrecision(3)}\u00a0kN` : `${(1e3 * value).toPrecision(3)}\u00a0mm`;
-  byId("suggestions").replaceChildren(plainTable("Measurements that would tell most", ["measure", "at", "expected", "to within", `std left [${unit}]`],
+  byId("suggestions").replaceChildren(plainTable("Measurements that would show most", ["measure", "at", "expected", "to within", `std left [${unit}]`],
     steps.map(({ kind, id, expected, measurement_std, remaining_std }) => [kind.replace("-", " "), id, amount(expected, kind), amount(measurement_std, kind), (factor * remaining_std).toPrecision(3)])),
   ...(steps.length === 0 ? ["Nothing that can be measured lowers it by 1 %."] : []).map((text) => h("p", {}, text)),
   ...(named("frequencies") ?? named("sag") ? ["The measured frequencies and sags are not taken into account."] : []).map((text) => h("p", { class: "quiet" }, text)),
