@@ -42,8 +42,8 @@ std::tuple<Fields&...> references_to(Fields&... fields) {
 // sampling, statics
 TAUT_FIELDS(LengthPrior, kind, scale)
 TAUT_FIELDS(UncertainParameter, kind, std, group)
-TAUT_FIELDS(Equilibrium, form, unstressed_lengths, status, iterations, out_of_balance, mean_tension, slack_edges,
-            energy_decreases)
+TAUT_FIELDS(Equilibrium, form, unstressed_lengths, status, iterations, out_of_balance, mean_tension,
+            slack_edges, energy_decreases)
 TAUT_FIELDS(DataSet, net_fingerprint, prior, seed, uncertain, nominal_form, form_deviations,
             length_deviations, statuses, slack_counts)
 TAUT_FIELDS(SamplePart, first, samples)

@@ -105,7 +105,7 @@ std::string runs_text(const std::vector<CableRun>& runs) {
         const auto& [name, edges, slides_at, friction] = runs[static_cast<size_t>(k)];
         const std::string sliding =
             slides_at.empty() ? ""
-                              : fmt::format(", \"slides_at\": {}, \"friction\": {}",
+                              : fmt::format(R"(, "slides_at": {}, "friction": {})",
                                             indices_text(slides_at), number_text(friction));
         return fmt::format("{{{}\"edges\": {}{}}}",
                            name.empty() ? "" : fmt::format("\"name\": {}, ", text_text(name)),

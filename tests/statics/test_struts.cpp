@@ -87,17 +87,21 @@ TEST(Strut, OfASimplexHasTheFormAndForcesThatMusclePyFinds) {
 }
 
 TEST(Strut, TopplesWhereItsStiffnessIsNegative) {
-    CableNetData data;  // one strut on the other, under a load, with guys that are slack
-    data.nodes =
-        Points{{0.0, 0.0, 0.0, 2.0, 2.0}, {0.0, 0.0, 0.0, -1.0, 1.0}, {0.0, 1.0, 2.0, 0.0, 0.0}};
+    // One strut on the other, under a load, with guys that are slack, and a plumb line: it is less
+    // stiff sideways than the struts are unstable.
+    CableNetData data;
+    data.nodes = Points{{0.0, 0.0, 0.0, 2.0, 2.0, 2.0},
+                        {0.0, 0.0, 0.0, -1.0, 1.0, 1.0},
+                        {0.0, 1.0, 2.0, 0.0, 0.0, -1.0}};
     data.supports = {0, 3, 4};
-    data.edges = {{0, 1}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}};
-    data.axial_stiffness = Eigen::VectorXd::Constant(6, 1e6);
-    data.unstressed_lengths = Eigen::VectorXd{{1.0, 1.0, 5.0, 5.0, 5.0, 5.0}};
-    data.kind.assign(6, EdgeKind::cable);
+    data.edges = {{0, 1}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {4, 5}};
+    data.axial_stiffness = Eigen::VectorXd::Constant(7, 1e6);
+    data.unstressed_lengths = Eigen::VectorXd{{1.0, 1.0, 5.0, 5.0, 5.0, 5.0, 1.0 - 1e-6}};
+    data.kind.assign(7, EdgeKind::cable);
     data.kind[0] = data.kind[1] = EdgeKind::strut;
-    data.loads = Points::Zero(3, 5);
+    data.loads = Points::Zero(3, 6);
     data.loads(2, 2) = -load;
+    data.loads(2, 5) = -1e-6 / (1.0 - 1e-6) * 1e6;
     const CableNet net(data);
     Points form = net.nodes();
     form(2, 1) = 1.0 - load / 1e6;
@@ -110,7 +114,7 @@ TEST(Strut, TopplesWhereItsStiffnessIsNegative) {
     Stiffness of_state(local);
     ASSERT_TRUE(is_unstable(local, of_state, state));
     const Eigen::VectorXd direction = direction_of_collapse(local, of_state, state);
-    EXPECT_NEAR(direction.reshaped(3, 2).colwise().norm().maxCoeff(), 1.0, 1e-12);
+    EXPECT_NEAR(direction.reshaped(3, 3).colwise().norm().maxCoeff(), 1.0, 1e-12);
     const Eigen::MatrixXd matrix = stiffness(net, net.unstressed_lengths(), form);
     const double steepest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()(0);
     const double along = direction.dot(matrix * direction) / direction.squaredNorm();
