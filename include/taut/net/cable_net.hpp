@@ -65,10 +65,10 @@ struct CableRun {
 
 /// A node that a run slides through.
 struct SlidingNode {
-    int node;
-    int before;  ///< edge of the run that ends there
-    int after;   ///< the next edge of the run
-    double friction;
+    int node;         ///< index in the net
+    int before;       ///< edge of the run that ends there
+    int after;        ///< the next edge of the run
+    double friction;  ///< coefficient of friction there
 };
 
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).
