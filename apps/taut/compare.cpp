@@ -16,6 +16,7 @@
 #include "progress_line.hpp"
 #include "run_record.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/net/units.hpp"
 #include "taut/process_group.hpp"
 #include "taut/results/comparison_files.hpp"
@@ -77,6 +78,7 @@ void run(const CompareOptions& given) {
     CompareOptions options = given;
     options.comparison.check();
     const CableNet net = read_net(options.net).net;
+    naming_file(options.net, [&] { refuse_sliding(net); });
     options.comparison.uncertain = options.uncertain.given(net, options.net);
     const int most = std::ranges::max(options.comparison.training_samples);
     require_memory(training_memory(net, most), fmt::format("{} training samples", most));

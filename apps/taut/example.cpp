@@ -40,8 +40,7 @@ void add_example(CLI::App& program) {
         .add_option(
             "NAME", options->name,
             "hilo-quarter, steel-roof, cable-dome, spoke-wheel, tensegrity-simplex, sliding-ridge, "
-            "or hypar:RxC "
-            "with R rows and C columns of free nodes (1 to 1000)")
+            "or hypar:RxC with R rows and C columns of free nodes (1 to 1000)")
         ->required();
     add_output_option(command, options->output, "Net file to write");
     set_action(command, options, run);

@@ -52,7 +52,6 @@ CableNet net_of(const FormOptions& options, const CableNet& nominal) {
 /// Result of either solver.
 struct Found {
     Points form;
-    Eigen::VectorXd unstressed_lengths;  ///< after sliding
     std::string status;
     std::string text;  ///< the status with its numbers
     int iterations;
@@ -80,7 +79,6 @@ Found find_by_newton(const FormOptions& options, const CableNet& net) {
     }
     const FormCheck check = check_form(net, e.unstressed_lengths, e.form);
     return {.form = std::move(e.form),
-            .unstressed_lengths = std::move(e.unstressed_lengths),
             .status = std::string(to_string(e.status)),
             .text = text,
             .iterations = e.iterations,
@@ -105,7 +103,6 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
     }
     const Imbalance balance = imbalance(net, lengths, s.form);
     return {.form = s.form,
-            .unstressed_lengths = lengths,
             .status = std::string(to_string(s.status)),
             .text = text,
             .iterations = s.iterations,

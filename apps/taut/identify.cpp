@@ -27,6 +27,7 @@
 #include "taut/io/adjustment_csv.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "terminal.hpp"
@@ -139,6 +140,7 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
 
 void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
+    naming_file(options.net, [&] { refuse_sliding(net); });
     IdentifyOptions settings = options.settings;
     if (!options.prior.empty()) {
         settings.prior = prior_for(net, options.prior, options.net);

@@ -18,6 +18,7 @@
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/results/study_csv.hpp"
 #include "taut/study/study.hpp"
@@ -58,6 +59,7 @@ void check_directory(const ReproduceOptions& options) {
 void run(const ReproduceOptions& options) {
     options.study.check();
     const NetFile file = net_of(options);
+    naming_file(options.net, [&] { refuse_sliding(file.net); });
     require_memory(training_memory(file.net, options.study.samples),
                    fmt::format("{} samples", options.study.samples));
     check_directory(options);

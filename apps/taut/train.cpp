@@ -19,6 +19,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/process_group.hpp"
 #include "terminal.hpp"
 
@@ -73,6 +74,7 @@ void run(const TrainOptions& options) {
     }
     const StoredDataSet stored = read_data_set(options.data);
     note_digest(options.data, stored.has_digest);
+    naming_file(options.data, [&] { refuse_sliding(stored.net.net); });
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
     if (samples.size() < 2) {
         throw InputError(

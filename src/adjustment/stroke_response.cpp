@@ -8,11 +8,6 @@
 namespace taut {
 namespace {
 
-/// The tension, continued below zero for an edge that is too long.
-double pull_of(const EdgeState& state, double unstressed_length) {
-    return state.carries() ? state.tension : state.axial * (state.length - unstressed_length);
-}
-
 /// The force with which the net pulls at a support [N].
 Eigen::Vector3d reaction_at(const CableNet& net, const std::vector<EdgeState>& states,
                             int support) {
@@ -49,7 +44,7 @@ Eigen::VectorXd StrokeResponse::forces_of(const Eigen::VectorXd& lengths,
     const int m = m_net->edge_count();
     Eigen::VectorXd result(m + static_cast<Eigen::Index>(m_reactions.size()));
     for (int e = 0; e < m; ++e) {
-        result(e) = pull_of(states[e], lengths(e));
+        result(e) = states[e].pull(lengths(e));
     }
     for (size_t r = 0; r < m_reactions.size(); ++r) {
         result(m + static_cast<Eigen::Index>(r)) =

@@ -10,11 +10,11 @@
 #include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
-#include "net/sliding_nodes.hpp"
 #include "numerics/fnv1a.hpp"
 #include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 #include "taut/gp/input_scales.hpp"
+#include "taut/net/cable_runs.hpp"
 
 namespace taut {
 namespace {

@@ -12,8 +12,4 @@ namespace taut {
 [[nodiscard]] std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges,
                                                         const CableRun& run);
 
-/// Refuses a net whose runs slide, for what does not know how lengths pass on.
-/// @throws NetError naming the first run that does
-void refuse_sliding(const CableNet& net);
-
 }  // namespace taut

@@ -25,6 +25,10 @@ struct EdgeState {
     /// Whether the edge carries force: a taut cable, a strut, (strut-energy), or one that
     /// sags, (sagging-law).
     [[nodiscard]] bool carries() const { return extension > 0.0 || is_strut || sags; }
+    /// The tension, continued below zero for an edge that is too long [N].
+    [[nodiscard]] double pull(double unstressed_length) const {
+        return carries() ? tension : axial * (length - unstressed_length);
+    }
     /// T / l, stiffness across the edge [N/m].
     [[nodiscard]] double force_density() const {
         return carries() && length > 0.0 ? tension / length : 0.0;

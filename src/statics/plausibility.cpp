@@ -43,6 +43,9 @@ void add_strain_warnings(const CableNet& net, std::vector<std::string>& warnings
     for (int e = 0; e < net.edge_count(); ++e) {
         sizes(e) = net.is_strut(e) ? std::abs(strains(e)) : strains(e);
     }
+    for (const SlidingNode& at : net.sliding_nodes()) {
+        sizes(at.before) = sizes(at.after) = 0.0;  // of marks, before anything slid
+    }
     Eigen::Index worst = 0;
     if (sizes.maxCoeff(&worst) > absurd_strain) {
         warnings.push_back(

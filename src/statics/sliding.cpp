@@ -48,10 +48,8 @@ double largest_ratio(const LengthRates& rates, const SlidingNode& at) {
                : 1.0;
 }
 
-/// The tension, continued below zero for an edge that is too long.
 double pull(const LengthRates& rates, int edge) {
-    const EdgeState& state = rates.states[edge];
-    return state.carries() ? state.tension : state.axial * (state.length - rates.lengths(edge));
+    return rates.states[edge].pull(rates.lengths(edge));
 }
 
 double difference(const LengthRates& rates, const SlidingBalance& one) {

@@ -15,6 +15,7 @@
 #include "numerics/random_numbers.hpp"
 #include "shared_work.hpp"
 #include "taut/identification/identify.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/sampling/model_perturbation.hpp"
@@ -29,6 +30,7 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
                                 ControlStrategy::nominal, ControlStrategy::once};
 
 void check_control(const CableNet& net, const ControlSettings& settings) {
+    refuse_sliding(net);
     check_prior(net, settings.prior);
     check_for_one_survey(net, settings.uncertain);
     const auto require = [](bool holds, const char* field, double value, const char* rule) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "net/check_index.hpp"
-#include "net/sliding_nodes.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/survey/covariance.hpp"
 #include "taut/survey/survey.hpp"
 

@@ -206,10 +206,18 @@ TEST_F(Chain, ACableThatSlidesHasAFormAndIsRefusedWhereItIsNotKnown) {
           {"inspect", "ridge.json", "--survey", "of_ridge.csv", "--suggest"},
           {"identify", "ridge.json", "of_ridge.csv", "-o", "result.json"},
           {"identify", "ridge.json", "of_ridge.csv", "--epoch", "built.csv", "--noise", "0.5mm"},
+          {"control", "ridge.json", "-o", "jobs"},
+          {"compare", "ridge.json", "-o", "methods"},
+          {"reproduce", "--net", "ridge.json", "-o", "study"},
           {"form", "ridge.json", "--solver", "socp"}}) {
-        expect_error(run(refused), 2, "slide");
+        const std::string file = refused[0] == "train" ? "ridge.h5" : "ridge.json";
+        const Outcome outcome = run(refused);
+        expect_error(outcome, 2, "slide");
+        EXPECT_THAT(outcome.err, HasSubstr("taut: error: " + file));
     }
-    EXPECT_FALSE(exists("result.json"));
+    for (const char* const written : {"model.h5", "result.json", "jobs", "methods", "study"}) {
+        EXPECT_FALSE(exists(written)) << written;
+    }
 }
 
 }  // namespace

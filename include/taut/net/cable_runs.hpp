@@ -17,4 +17,9 @@ namespace taut {
 ///   edge is in two runs
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<std::vector<int>> cable_runs(const CableNet& net);
 
+/// Refuses a net whose runs slide, for what does not know how lengths pass on: identification and
+/// training.
+/// @throws NetError naming the first run that does
+TAUT_CORE_EXPORT void refuse_sliding(const CableNet& net);
+
 }  // namespace taut
