@@ -197,7 +197,9 @@ void mix(LengthTrend& trend, const Likelihood& shown, const Places& at, const Le
     // Not zero where no run has a scale, as a quotient of it.
     trend.prior_stds = prior_variances.cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
     const SymmetricEigen eigen = symmetric_eigen(squares - trend.mean * trend.mean.transpose());
-    trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    // The symmetric root: another would depend on the signs of eigenvectors, which are free.
+    trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                 eigen.vectors.transpose();
 }
 
 }  // namespace
