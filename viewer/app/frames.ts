@@ -39,6 +39,11 @@ export class Frames {
     return page;
   }
 
+  /** Prints the lists of a report for the crews. */
+  print(into: HTMLElement): void {
+    this.reports.find(({ frame }) => into.contains(frame))?.frame.contentWindow?.postMessage({ taut: "print" }, "*");
+  }
+
   private hear({ source, data }: MessageEvent<{ taut?: unknown; notes?: unknown } | null>): void {
     const report = this.reports.find(({ frame }) => frame.contentWindow === source);
     if (!report) return;

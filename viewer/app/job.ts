@@ -3,7 +3,7 @@
 //
 // A job: its files, what was set, and what came out, in one file that can be saved and mailed.
 
-import { unzipSync } from "fflate";
+import { Unzip, UnzipInflate } from "fflate";
 import { turnedCsv } from "../src/as_made";
 import { isNotes, type Notes } from "../src/notes";
 import type { Plan } from "../src/result";
@@ -44,10 +44,14 @@ export interface Job {
   outputs: Record<string, Uint8Array>;
   /** Written by hand on the reports. */
   notes: Notes;
+  /** The settings that a result was made with, by its file. */
+  madeWith?: Record<string, string> | undefined;
 }
 
 const format = "taut-job";
 export const netFile = "net.json";
+/** What another program's net was imported to. */
+export const importedFile = "imported.json";
 export const resultFile = "result.json";
 export const planFile = "plan.json";
 export const turnsFile = "turns.csv";
@@ -67,13 +71,14 @@ const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (c
 
 export const text = (bytes: Uint8Array | undefined): string => new TextDecoder().decode(bytes);
 
-export const jobText = ({ inputs, settings, outputs, notes }: Job): string => JSON.stringify({
+export const jobText = ({ inputs, settings, outputs, notes, madeWith }: Job): string => JSON.stringify({
   format,
   version: 1,
   inputs: [...inputs].map(([name, { role, bytes }]) => ({ name, role, content: base64Of(bytes) })),
   settings,
   outputs: Object.entries(outputs).map(([name, bytes]) => ({ name, content: base64Of(bytes) })),
   notes,
+  madeWith,
 });
 
 interface JobFile {
@@ -83,6 +88,7 @@ interface JobFile {
   settings: Record<string, string>;
   outputs: { name: string; content: string }[];
   notes?: Notes;
+  madeWith?: Record<string, string>;
 }
 
 /** A JSON document's format; none of other files. */
@@ -107,6 +113,8 @@ function isJobFile(file: JobFile): boolean {
 export function readJob(name: string, bytes: Uint8Array): Job | null {
   if (formatOf(name, bytes) !== format) return null;
   const file = JSON.parse(text(bytes)) as JobFile;
+  // Of a page before this one.
+  for (const output of file.outputs ?? []) if (output?.name === netFile && file.inputs?.every?.((input) => input?.name !== netFile)) output.name = importedFile;
   if (file.version !== 1) throw new Error(`${name} is a job of version ${String(file.version)}, expected 1`);
   if (file.outputs?.some?.((output) => !isMade(output?.name) || (file.inputs?.some?.((input) => input?.name === output.name) ?? true))) {
     throw new Error(`${name} is not a whole job: its outputs are not those of this page`);
@@ -118,6 +126,7 @@ export function readJob(name: string, bytes: Uint8Array): Job | null {
       settings: file.settings,
       outputs: Object.fromEntries(file.outputs.map(({ name, content }) => [name, bytesOf(content)])),
       notes: isNotes(file.notes) ? file.notes : {},
+      madeWith: typeof file.madeWith === "object" && file.madeWith !== null ? file.madeWith : undefined,
     };
   } catch {
     throw new Error(`${name} is not a whole job: a file in it is not in base64`);
@@ -131,8 +140,17 @@ export const isForeign = (name: string, bytes: Uint8Array): boolean => formatOf(
 export const namedIn = ({ inputs }: Job, role: Role): string | undefined => [...inputs].find(([, input]) => input.role === role)?.[0];
 
 /** The plan that was made; without turns where there is none. */
-export const madePlan = ({ outputs }: Job): Pick<Plan, "turns" | "warnings"> =>
-  (outputs[planFile] ? (JSON.parse(text(outputs[planFile])) as Plan) : { turns: [] });
+export function madePlan({ outputs }: Job): Pick<Plan, "turns" | "warnings"> {
+  if (!outputs[planFile]) return { turns: [] };
+  let plan: Plan | null = null;
+  try {
+    plan = JSON.parse(text(outputs[planFile])) as Plan | null;
+  } catch {
+    // Said below.
+  }
+  if (!Array.isArray(plan?.turns)) throw new Error("the plan of this job is damaged: make it anew");
+  return plan;
+}
 
 const isZip = (bytes: Uint8Array): boolean => text(bytes.subarray(0, 4)) === "PK\x03\x04";
 
@@ -143,10 +161,25 @@ function rowsOf(bytes: Uint8Array): string {
   // Split and stripped in time that grows with the text alone, whatever stands in it.
   const plain = (xml: string): string => xml.replace(/<[^<>]*>/g, "").replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&");
   const parts = (xml: string, tag: string): string[] => xml.split(`</${tag}>`).slice(0, -1).map((part) => part.slice(Math.max(0, part.lastIndexOf(`<${tag}`))));
+  const unpacked = new Map<string, Uint8Array[]>();
   let size = 0;
+  const unzip = new Unzip((file) => {
+    if (!/sharedStrings|worksheets\/[^/]+$/.test(file.name)) return;
+    const chunks: Uint8Array[] = [];
+    unpacked.set(file.name, chunks);
+    file.ondata = (error, data) => {
+      if (error) throw error;
+      size += data.length;
+      chunks.push(data);
+    };
+    file.start();
+  });
+  unzip.register(UnzipInflate);
   try {
-    const files = Object.entries(unzipSync(bytes, { filter: ({ name, originalSize }) => /sharedStrings|worksheets\/[^/]+$/.test(name) && (size += originalSize) < mostBytes }))
-      .map(([name, part]) => [name, text(part)] as const);
+    // In parts, as what the archive says of sizes may be wrong.
+    const part = 2 ** 14;
+    for (let i = 0; i < bytes.length && size < mostBytes; i += part) unzip.push(bytes.subarray(i, i + part), i + part >= bytes.length);
+    const files = [...unpacked].map(([name, chunks]) => [name, chunks.map(text).join("")] as const);
     const shared = files.filter(([name]) => name.includes("sharedStrings")).flatMap(([, xml]) => parts(xml, "si").map(plain));
     const cell = (xml: string): string => (/^<c\b[^<>]*\bt="s"/.test(xml) ? shared[Number(plain(xml))] ?? "" : plain(xml));
     return files.filter(([name]) => !name.includes("sharedStrings"))
@@ -164,6 +197,7 @@ export function guessedRole(name: string, bytes: Uint8Array, job: Job): Role {
   const known = formatOf(name, bytes);
   if (known?.startsWith("taut-") && known !== "taut-net") throw new Error(`${name} is a ${known} file, expected a net, a survey or a job: results are made here`);
   if (known !== null) return "net";
+  if (name.toLowerCase().endsWith(".json")) throw new Error(`${name} is no whole JSON file: is it cut off?`);
   const table = isZip(bytes) ? rowsOf(bytes) : text(bytes.subarray(0, 100_000));
   const head = table.slice(0, 2000);
   if (/\bstroke(_mm)?\b/.test(head)) return "turned";
@@ -189,7 +223,7 @@ function freeName(job: Job, name: string): string {
 }
 
 /** Whether the program writes a file of that name. */
-export const isMade = (name: string): boolean => [netFile, resultFile, planFile, turnsFile, "report.html", "result_draws.h5"].includes(name);
+export const isMade = (name: string): boolean => [importedFile, resultFile, planFile, turnsFile, "report.html", "result_draws.h5"].includes(name);
 
 /** Turns that are ticked off become a file; nothing where there are none. @param before what it comes before, or the end */
 export function fileMade(job: Job, role: Role, before?: string): string | undefined {
@@ -244,8 +278,7 @@ export function addFile(job: Job, name: string, bytes: Uint8Array, isNext = fals
   // Beside lengths a table of points may be a target or loads as well. The next survey has a place of its own.
   const isUnsure = ["survey", "later"].includes(guessed) && !isNext && job.outputs[resultFile] !== undefined && job.inputs.get(safe)?.role !== "survey";
   const role = isUnsure ? "none" : guessed === "survey" && isNext && namedIn(job, "survey") !== undefined ? "later" : guessed;
-  const isTaken = isMade(safe) && !(safe === netFile && !isForeign(safe, bytes));
-  const own = role === "later" || role === "turned" || isTaken ? freeName(job, safe) : safe;
+  const own = role === "later" || role === "turned" || isMade(safe) ? freeName(job, safe) : safe;
   job.inputs.delete(own);
   job.inputs.set(own, { role: "none", bytes });
   setRole(job, own, role);
@@ -255,18 +288,30 @@ export function addFile(job: Job, name: string, bytes: Uint8Array, isNext = fals
 export const roleWords = ({ inputs }: Job, command: string): string[] =>
   [...inputs].flatMap(([name, { role }]) => (roles[role].command === command ? [roles[role].option!, name] : []));
 
-/** Options that give the later surveys, each with what was turned before it. */
-export function epochWords({ inputs }: Job): string[] {
-  const words: string[] = [];
+/** The later surveys, each with what was turned before it: the file that stands before it, or else the one behind all. */
+export function epochsOf({ inputs }: Job): { epochs: { survey: string; turned: string }[]; rest: string } {
+  const epochs: { survey: string; turned: string }[] = [];
   let turned = "";
   for (const [name, { role }] of inputs) {
-    if (role === "turned") turned = name;
+    if (role === "turned") {
+      if (turned) throw new Error(`${turned} and ${name} both are what was turned before the same survey: put them into one file, or set one to "${roles.none.label}"`);
+      turned = name;
+    }
     if (role !== "later") continue;
-    words.push("--epoch", turned ? `${name}:${turned}` : name);
+    epochs.push({ survey: name, turned });
     turned = "";
   }
-  if (turned) throw new Error(`${turned} is what was turned before a later survey, which is missing: drop it, or set ${turned} to "${roles.none.label}"`);
-  return words;
+  const last = epochs.at(-1);
+  if (last === undefined || last.turned || !turned) return { epochs, rest: turned };
+  last.turned = turned;
+  return { epochs, rest: "" };
+}
+
+/** Options that give the later surveys. */
+export function epochWords(job: Job): string[] {
+  const { epochs, rest } = epochsOf(job);
+  if (rest) throw new Error(`${rest} is what was turned before a later survey, which is missing: drop it, or set ${rest} to "${roles.none.label}"`);
+  return epochs.flatMap(({ survey, turned }) => ["--epoch", turned ? `${survey}:${turned}` : survey]);
 }
 
 /** A file's content under a name without folders. Throws for one that the program would refuse. */

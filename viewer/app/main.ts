@@ -10,7 +10,7 @@ import { plainTable } from "../src/plain_table";
 import type { Identification } from "../src/result";
 import { Frames } from "./frames";
 import {
-  addFile, contentOf, epochWords, fileMade, guessedRole, isForeign, isMade, type Job, jobText, madePlan, namedIn, netFile, newJob, planFile, readJob, resultFile, type Role, roles, roleWords,
+  importedFile, addFile, contentOf, epochsOf, epochWords, fileMade, guessedRole, isForeign, isMade, type Job, jobText, madePlan, namedIn, netFile, newJob, planFile, readJob, resultFile, type Role, roles, roleWords,
   setRole, text, turnsFile,
 } from "./job";
 import { Cancelled, module, run } from "./program";
@@ -26,14 +26,31 @@ const named = (role: Role): string | undefined => namedIn(job, role);
 
 async function keepNow(): Promise<void> {
   clearTimeout(keeping);
-  byId("kept").textContent = (await keep(job)) ? "This browser keeps the job, also when the page is closed." : "This browser keeps nothing of this page: save the job before you close it.";
+  const state = await keep(job);
+  byId("kept").className = state === "kept" ? "quiet" : "problem";
+  byId("kept").textContent = {
+    kept: "This browser keeps the job, also when the page is closed.",
+    other: "Another tab of this page keeps its job here since, so this browser no longer keeps this one: save it before you close this tab.",
+    nothing: "This browser keeps nothing of this page: save the job before you close it.",
+  }[state];
 }
 
 let keeping = 0;
+const drawsFile = "result_draws.h5";
+/** What settings are now, in one text. */
+const settingsNow = (of: Setting[][]): string => JSON.stringify(of.flat().map(({ option, key }) => job.settings[key ?? option] ?? ""));
+const ofLengthSettings = [identifySettings, forceSettings, importSettings];
+/** Says where results are of other settings than those of now. */
+function markStale(): void {
+  for (const [work, file, of] of [[identifying, resultFile, ofLengthSettings], [planning, planFile, [...ofLengthSettings, planSettings]]] as const) {
+    const before = job.madeWith?.[file];
+    work.markStale(job.outputs[file] !== undefined && before !== undefined && before !== settingsNow([...of]));
+  }
+}
 /** Keeps the job in the browser a moment after a change. */
 function changed(): void {
   clearTimeout(keeping);
-  keeping = window.setTimeout(() => void keepNow(), 300);
+  keeping = window.setTimeout(() => void keepNow(), 50);
 }
 addEventListener("pagehide", () => void keepNow());
 
@@ -53,7 +70,7 @@ const filesOf = (): Record<string, Uint8Array> => ({
 function netName(): string {
   const name = named("net");
   if (name === undefined) throw new Error("There is no net yet: drop its file, or load the example.");
-  return isForeign(name, job.inputs.get(name)!.bytes) ? netFile : name;
+  return isForeign(name, job.inputs.get(name)!.bytes) ? importedFile : name;
 }
 
 const frames = new Frames(() => job.notes, (change: Notes) => {
@@ -69,7 +86,9 @@ async function showReport(into: HTMLElement, result: string, signal: AbortSignal
   into.append(h("div", { class: "buttons no-print" },
     h("button", { type: "button", onclick: () => save(result.replace(/json$/, "html"), withNotes(text(report), job.notes)) }, "Save report"),
     h("button", { type: "button", onclick: () => save(result, job.outputs[result]!) }, "Save result"),
-    isPlan ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null,
+    isPlan ? h("button", { type: "button", onclick: () => frames.print(into) }, "Print the lists") : null,
+    isPlan && job.outputs[turnsFile] ? h("button", { type: "button", onclick: () => save(turnsFile, job.outputs[turnsFile]!) }, "Save list of turns") : null,
+    !isPlan && job.outputs[drawsFile] ? h("button", { type: "button", title: "A plan by the command line needs them beside the result.", onclick: () => save(drawsFile, job.outputs[drawsFile]!) }, "Save samples") : null,
     h("button", { type: "button", onclick: () => void attempt(() => saveForExcel(result)) }, "Save for Excel")));
   into.scrollIntoView({ block: "start" });  // in a frame that is not seen nothing is drawn
 }
@@ -101,7 +120,7 @@ async function command(work: Work, words: string[]): Promise<{ out: string; warn
 async function importNet(work: Work): Promise<void> {
   const name = named("net");
   if (name === undefined || netName() === name) return;
-  await command(work, ["import", name, ...roleWords(job, "import"), "-o", netFile, ...wordsOf(importSettings, job.settings)]);
+  await command(work, ["import", name, ...roleWords(job, "import"), "-o", importedFile, ...wordsOf(importSettings, job.settings)]);
 }
 
 const lastSurvey = (): string | undefined => [...job.inputs].filter(([, { role }]) => role === "later").at(-1)?.[0] ?? named("survey");
@@ -177,20 +196,22 @@ async function identify(work: Work): Promise<string> {
   forget("lengths");
   planning.clear();
   const epochs = epochWords(job);
+  job.madeWith = { [resultFile]: settingsNow(ofLengthSettings) };
   await importNet(work);
-  const { out } = await command(work, ["identify", netName(), survey, ...epochs, ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
+  const { out, warnings } = await command(work, ["identify", netName(), survey, ...epochs, ...roleWords(job, "identify"), ...(named("forces") ? wordsOf(forceSettings, job.settings) : []), ...wordsOf(identifySettings, job.settings), "-o", resultFile]);
   await showReport(byId("lengths"), resultFile, work.signal);
-  return /^Checks: \w+\./m.exec(out)?.[0] ?? "";
+  return [/^Checks: \w+\./m.exec(out)?.[0] ?? "", ...warnings.map((warning) => `Warning: ${warning}.`)].join(" ");
 }
 
 async function plan(work: Work): Promise<string> {
   if (!job.outputs[resultFile]) throw new Error("Identify first: a plan starts from the lengths.");
   if (!mayForgetTicks()) throw new Cancelled();
   forget("turns");
-  await command(work, ["plan", netName(), resultFile, ...roleWords(job, "plan"), ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
+  job.madeWith = { ...job.madeWith, [planFile]: settingsNow([...ofLengthSettings, planSettings]) };
+  const { warnings } = await command(work, ["plan", netName(), resultFile, ...roleWords(job, "plan"), ...wordsOf(planSettings, job.settings), "-o", planFile, "--csv", turnsFile]);
   await showReport(byId("turns"), planFile, work.signal);
   showMade();
-  return planOutcome();
+  return [planOutcome(), ...warnings.map((warning) => `Warning: ${warning}.`)].join(" ");
 }
 
 function planOutcome(): string {
@@ -208,9 +229,11 @@ function showFiles(): void {
     h("code", {}, name),
     h("select", {
       "aria-label": `What ${name} is`,
-      onchange: ({ target }: Event) => { setRole(job, name, (target as HTMLSelectElement).value as Role); filesChanged(); },
+      onchange: ({ target }: Event) => {
+        if (mayForgetAll()) { setRole(job, name, (target as HTMLSelectElement).value as Role); filesChanged(); } else { showFiles(); }
+      },
     }, ...Object.entries(roles).map(([role, { label }]) => h("option", { value: role, selected: role === input.role }, label))),
-    h("button", { type: "button", onclick: () => { job.inputs.delete(name); filesChanged(); } }, "Remove")));
+    h("button", { type: "button", onclick: () => { if (input.role === "none" || mayForgetAll()) { job.inputs.delete(name); filesChanged(); } } }, "Remove")));
   byId("files").replaceChildren(...list);
   const net = named("net");
   byId("force-settings").hidden = named("forces") === undefined;
@@ -220,12 +243,8 @@ function showFiles(): void {
 /** What comes after the turns: how many are ticked off, and the surveys after them. */
 function showMade(): void {
   const { turns } = madePlan(job);
-  const inputs = [...job.inputs];
-  const later = inputs.flatMap(([name, { role }], i) => {
-    if (role !== "later") return [];
-    const turned = inputs[i - 1]?.[1].role === "turned" ? inputs[i - 1]![0] : undefined;
-    return [turned ? `${name} was surveyed after what ${turned} says was turned.` : `${name} counts as surveyed with nothing turned before it: where something was, drop a file of it, too.`];
-  });
+  const later = epochsOf(job).epochs.map(({ survey, turned }) =>
+    turned ? `${survey} was surveyed after what ${turned} says was turned.` : `${survey} counts as surveyed with nothing turned before it: where something was, drop a file of it, too.`);
   const now = turns.length > 0
     ? `${ticks()} of ${turns.length} turns are ticked off in the list above. Turn, survey again, and drop the next survey here: what is ticked off counts as turned before it.`
     : job.outputs[planFile] ? "The plan turns nothing." : later.length > 0 ? "Identify again." : "Make a plan first. Its list of turns is ticked off in its report.";
@@ -235,21 +254,26 @@ function showMade(): void {
 /** Ends what belongs to other files. */
 let ofFiles = new AbortController();
 
-/** What lengths depend on: not files for plans alone, nor those that are not used. */
-const lengthInputs = (): unknown[] =>
-  [...job.inputs].filter(([, { role }]) => role !== "none" && roles[role].command !== "plan").flatMap(([name, { role, bytes }]) => [name, role, bytes]);
+/** The files that are used: those for plans alone, or those that lengths depend on. */
+const used = (isForPlans: boolean): unknown[] =>
+  [...job.inputs].filter(([, { role }]) => role !== "none" && (roles[role].command === "plan") === isForPlans).flatMap(([name, { role, bytes }]) => [name, role, bytes]);
 
 /** Those of the last results. */
-let usedInputs: unknown[] = [];
+let ofLengths: unknown[] = [];
+let ofPlans: unknown[] = [];
+
+const areSame = (now: unknown[], before: unknown[]): boolean => now.length === before.length && now.every((one, i) => one === before[i]);
 
 /** Results of other files are gone. */
 function filesChanged(): void {
-  const inputs = lengthInputs();
-  const isForPlans = inputs.length > 0 && inputs.length === usedInputs.length && inputs.every((one, i) => one === usedInputs[i]);
-  usedInputs = inputs;
-  if (isForPlans) {
-    forget("turns");
-    planning.clear();
+  const [lengths, plans] = [used(false), used(true)];
+  const [hasSameLengths, hasSamePlans] = [lengths.length > 0 && areSame(lengths, ofLengths), areSame(plans, ofPlans)];
+  [ofLengths, ofPlans] = [lengths, plans];
+  if (hasSameLengths) {
+    if (!hasSamePlans) {
+      forget("turns");
+      planning.clear();
+    }
     showFiles();
     changed();
     return;
@@ -282,7 +306,7 @@ async function take(files: Iterable<File>, isNext: boolean): Promise<void> {
   for (const file of files) {
     const bytes = await contentOf(file);
     const opened = readJob(file.name, bytes);
-    if (opened) return open(opened);
+    if (opened) return mayForgetAll() ? open(opened) : undefined;
     read.push([file.name, bytes]);
   }
   // What was turned comes before the survey after it.
@@ -296,10 +320,11 @@ async function take(files: Iterable<File>, isNext: boolean): Promise<void> {
 async function open(opened: Job): Promise<void> {
   // What begins anew on its files forgets results, and what was written on them.
   job = { ...opened, outputs: {}, notes: {} };
+  delete job.madeWith;
   showSettings();
   filesChanged();
   const { outputs } = opened;
-  Object.assign(job, { outputs, notes: opened.notes });
+  Object.assign(job, { outputs, notes: opened.notes, madeWith: opened.madeWith });
   const { signal } = ofFiles;
   try {
     // Of another plan.
@@ -317,6 +342,7 @@ async function open(opened: Job): Promise<void> {
     throw error;
   }
   showMade();
+  markStale();
 }
 
 /** The built-in net, and a survey of it as it might be built. */
@@ -335,7 +361,8 @@ async function example(): Promise<void> {
 function showSettings(): void {
   const fields = (settings: Setting[], values: Record<string, string>): HTMLElement => settingFields(settings, values, () => {
     changed();
-    for (const work of settings === planSettings ? [planning] : settings === suggestSettings ? [suggesting] : [suggesting, identifying, planning]) work.settingsChanged();
+    markStale();
+    if (settings === suggestSettings) suggesting.markStale(byId("suggestions").hasChildNodes());
   });
   byId("import").replaceChildren(h("p", { class: "quiet" }, "The net is another program's. What its file does not say:"), fields(importSettings, job.settings));
   byId("force-settings").replaceChildren(fields(forceSettings, job.settings));

@@ -7,6 +7,8 @@ import { h } from "../src/dom";
 
 export interface Setting {
   option: string;
+  /** Where its value is kept, if not by its option: two commands may have one of the same name. */
+  key?: string;
   label: string;
   /** What is taken where nothing is given. */
   preset: string;
@@ -23,7 +25,7 @@ export interface Setting {
 const further = (command: string): Setting => ({ option: `further ${command} options`, label: "Further options", preset: "none", hint: `as taut ${command} takes them`, isWords: true });
 
 export const identifySettings: Setting[] = [
-  { option: "--noise", unit: "mm", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate, where the file has none: 0.5mm" },
+  { option: "--noise", unit: "mm", label: "Standard deviation of the survey", preset: "the file's, or its last digit", hint: "of each coordinate, where the file has none: 0.5mm, or estimate" },
   { option: "--prior", label: "Fabrication tolerance (prior)", preset: "a broad one around uniform:5mm", hint: "uniform:5mm, normal:2mm, bimodal:5mm" },
   { option: "--uncertain", isRepeated: true, label: "Uncertain parameters", preset: "those of an ordinary site", hint: "stiffness:5% supports:2mm, or none" },
   { option: "--offset", unit: "mm", label: "Offset of the targets", preset: "0mm", hint: "from the cable's axis, and its standard deviation: 3mm:0.2mm" },
@@ -64,8 +66,10 @@ export const importSettings: Setting[] = [
   { option: "--axial-stiffness", unit: "kN", label: "Axial stiffness EA", preset: "the file's", hint: "200kN" },
   { option: "--young", unit: "GPa", label: "Young's modulus", preset: "the file's", hint: "205GPa" },
   { option: "--diameter", label: "Diameter", preset: "the file's", hint: "mm, or the attribute that gives it" },
-  { option: "--force-unit", label: "Unit of forces", preset: "the file's", choices: ["N", "kN"] },
+  { option: "--force-unit", key: "import --force-unit", label: "Unit of forces", preset: "the file's", choices: ["N", "kN"] },
   { option: "--supports", label: "Further supports", preset: "none", choices: ["boundary"] },
+  { option: "--loads", label: "Loads", preset: "the file's", choices: ["balance", "none"], hint: "balance: those that hold the given form" },
+  { option: "--slides", label: "Cables that slide through their nodes", preset: "none", choices: ["names", "straight"], hint: "edges of one name but for a number, or that go straight on" },
 ];
 
 const allSettings = [...identifySettings, ...planSettings, ...suggestSettings, ...forceSettings, ...importSettings];
@@ -81,10 +85,11 @@ export const inFields = (message: string): string =>
 export function fields(settings: Setting[], values: Record<string, string>, changed: () => void): HTMLElement {
   return h("div", { class: "fields" }, ...settings.map((setting) => {
     const { option, label, preset, hint, choices } = setting;
-    const keep = ({ target }: Event): void => { values[option] = (target as HTMLInputElement | HTMLSelectElement).value.trim(); changed(); };
+    const key = setting.key ?? option;
+    const keep = ({ target }: Event): void => { values[key] = (target as HTMLInputElement | HTMLSelectElement).value.trim(); changed(); };
     const control = choices
-      ? h("select", { name: option, onchange: keep }, ...["", ...choices].map((choice) => h("option", { value: choice, selected: choice === (values[option] ?? "") }, choice || preset)))
-      : h("input", { name: option, type: "text", placeholder: preset, value: values[option] ?? "", oninput: keep, autocomplete: "off", spellcheck: "false" });
+      ? h("select", { name: option, onchange: keep }, ...["", ...choices].map((choice) => h("option", { value: choice, selected: choice === (values[key] ?? "") }, choice || preset)))
+      : h("input", { name: option, type: "text", placeholder: preset, value: values[key] ?? "", oninput: keep, autocomplete: "off", spellcheck: "false" });
     return h("label", { class: "field" }, h("span", {}, label), control, hint ? h("small", {}, hint) : null);
   }));
 }
@@ -111,9 +116,9 @@ export function readingWords(words: string[]): string[] {
 
 /** The words of the command line for what was set. Throws for a number that lacks its unit. */
 export function wordsOf(settings: Setting[], values: Record<string, string>): string[] {
-  return settings.flatMap(({ option, label, unit, isWords, isRepeated }) => {
+  return settings.flatMap(({ option, key, label, unit, isWords, isRepeated }) => {
     if (isWords) return shellWords(values[option] ?? "", label);
-    const value = values[option]?.replace(/\s*,\s*/g, ",");
+    const value = values[key ?? option]?.replace(/\s*,\s*/g, ",");
     if (!value) return [];
     // The program would take a bare number in SI units.
     const bare = value.split(/\s+|\.\.|:|@\S*/).find((part) => /^[-+]?(\d+[.,]?\d*|[.,]\d+)$/.test(part) && Number(part) !== 0);

@@ -26,23 +26,33 @@ async function jobs(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   return (await opened).transaction(table, mode).objectStore(table);
 }
 
+/** Each tab that keeps a job marks it as its own. */
+type Kept = Job & { mark?: string };
+let mark: string | undefined;
+
 /** The job that was kept last; undefined where there is none, or where the browser keeps nothing. */
 export async function keptJob(): Promise<Job | undefined> {
   try {
-    return (await done((await jobs("readonly")).get(key))) as Job | undefined;
+    const kept = (await done((await jobs("readonly")).get(key))) as Kept | undefined;
+    mark = kept?.mark;
+    return kept;
   } catch {
     return undefined;
   }
 }
 
-/** Whether the job is kept. */
-export async function keep(job: Job): Promise<boolean> {
+/** Whether the job is kept: not where another tab kept its own since. */
+export async function keep(job: Job): Promise<"kept" | "other" | "nothing"> {
   try {
-    const { transaction } = (await jobs("readwrite")).put(job, key);
+    const store = await jobs("readwrite");
+    const before = (await done(store.get(key))) as Kept | undefined;
+    if (before !== undefined && before.mark !== mark) return "other";
+    mark = `${Date.now()} ${Math.random()}`;
+    const { transaction } = store.put({ ...job, mark }, key);
     // Only then it is on the disk.
     await new Promise((resolve, reject) => Object.assign(transaction!, { oncomplete: resolve, onabort: reject, onerror: reject }));
-    return true;
+    return "kept";
   } catch {
-    return false;
+    return "nothing";
   }
 }

@@ -52,9 +52,11 @@ export class Work implements RunOptions {
     this.show("done", outcome);
   }
 
-  /** What was done was done with other settings. */
-  settingsChanged(): void {
-    if (this.element.dataset.state === "done" && !this.status.textContent?.includes(changedSince)) this.status.textContent += ` ${changedSince}`;
+  /** Whether what was done was done with other settings than those of now. */
+  markStale(isStale: boolean): void {
+    if (this.element.dataset.state === "running") return;
+    const line = (this.status.textContent ?? "").replace(` ${changedSince}`, "");
+    this.status.textContent = isStale ? `${line} ${changedSince}` : line;
   }
 
   /** Forgets what was done. */

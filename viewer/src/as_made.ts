@@ -55,13 +55,14 @@ export function madeCell(plan: Plan, index: number, notebook: Notebook): HTMLEle
   value.addEventListener("change", () => {
     if (value.value.trim() === "") {
       value.setAttribute("aria-invalid", "false");
-      return set(done.checked ? turn.stroke : null);
+      value.title = "";
+      return set(null);
     }
     const stroke = numberOf(value.value) * unit * sameWay(turn);
     // A slip of the pen is no turn, nor is the planned one made then.
     const isWrong = !(Math.abs(stroke) <= Math.max(10 * Math.abs(turn.stroke), 0.05));
     value.setAttribute("aria-invalid", String(isWrong));
-    value.title = isWrong ? `expected ${plan.options.pitch === null ? "millimetres, such as 2.5" : "turns, such as 1 3/4"}` : "";
+    value.title = !isWrong ? "" : `expected ${plan.options.pitch === null ? "millimetres, such as 2.5" : "turns, such as 1 3/4"}${Number.isNaN(stroke) ? "" : ", no more than ten times the planned ones"}`;
     set(isWrong ? null : stroke);
   });
   notebook.subscribe(() => {

@@ -152,6 +152,9 @@ export function crewsSection(plan: Plan, model: Model, notebook: Notebook): HTML
   const idle = crews - present.length;
   const common = { plan, model, notebook, side: sideOf(model.form), how };
   const sheets = { ...common, columns: columnsOf(common) };
+  addEventListener("message", ({ source, data }: MessageEvent<{ taut?: unknown } | null>) => {
+    if (source === parent && parent !== window && data?.taut === "print") printLists();
+  });
   return section("crews", heading,
     h("div", { class: "no-print tools" }, h("button", { type: "button", class: "print", onclick: printLists }, "Print the lists"), madeBar(plan, notebook)),
     h("p", { class: "how no-print" }, `${how} ${made}`),

@@ -15,7 +15,7 @@ async function bundled(entry) {
   const { outputFiles } = await build({ entryPoints: [fileURLToPath(new URL(entry, import.meta.url))], bundle: true, write: false, format: "esm" });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 }
-const { addFile, epochWords, fileMade, newJob, setRole, text } = await bundled("../app/job.ts");
+const { addFile, epochWords, fileMade, jobText, newJob, readJob, setRole, text } = await bundled("../app/job.ts");
 const { inFields, planSettings, readingWords, wordsOf } = await bundled("../app/settings.ts");
 const { numberOf, turnedCsv } = await bundled("../src/as_made.ts");
 
@@ -73,7 +73,7 @@ test("names that the program writes, or that its options would split, are others
   addFile(job, "net.json", bytes('{"vertices": []}'));
   addFile(job, "-10:30.csv", survey);
   addFile(job, "plan.json", net);
-  assert.deepEqual(filesOf(job), ["net-2.json none", "_10_30.csv survey", "plan-2.json net"]);
+  assert.deepEqual(filesOf(job), ["net.json none", "_10_30.csv survey", "plan-2.json net"]);
   assert.throws(() => addFile(job, "result.json", bytes('{"format": "taut-identification"}')), /^Error: result\.json is a taut-identification file, expected a net, a survey or a job/);
 });
 
@@ -95,7 +95,7 @@ test("turns are read as crews write them", () => {
 
 test("messages of the program name the fields of the page", () => {
   assert.equal(inFields("--step is 3, expected with --turn"), "“Smallest part of a turn” is 3, expected with “Change of length by one turn”");
-  assert.equal(inFields("--loads is none of the page's"), "--loads is none of the page's");
+  assert.equal(inFields("--solver is none of the page's"), "--solver is none of the page's");
 });
 
 test("an Excel file is known by what stands in it, a damaged one is left to the program", () => {
@@ -162,4 +162,28 @@ test("settings become words, further options as in a shell, commas as the progra
   assert.deepEqual(wordsOf(planSettings, { "--tension": "1kN..9kN@a 2kN..3kN@b" }), ["--tension", "1kN..9kN@a", "--tension", "2kN..3kN@b"]);
   assert.throws(() => wordsOf(planSettings, { "--target-tension": "12kN:5%@ridge 14@valley" }), /^Error: Target tension: 14 has no unit/);
   assert.deepEqual(readingWords(["--columns", "id,x,y,z", "--slack", "s.csv", "--match=name", "--names", "n.csv"]), ["--columns", "id,x,y,z", "--match=name"]);
+});
+
+test("what was turned counts before the last survey, wherever its file stands, and twice not at all", () => {
+  const job = newJob();
+  addFile(job, "net.json", net);
+  addFile(job, "survey.csv", survey);
+  for (const [name, role] of [["second.csv", "later"], ["made.csv", "turned"]]) {
+    job.inputs.set(name, { role: "none", bytes: survey });
+    setRole(job, name, role);
+  }
+  assert.deepEqual(epochWords(job), ["--epoch", "second.csv:made.csv"]);
+  job.inputs = new Map([["again.csv", { role: "turned", bytes: turned }], ["made.csv", job.inputs.get("made.csv")], ["second.csv", job.inputs.get("second.csv")]]);
+  assert.throws(() => epochWords(job), /again\.csv and made\.csv both are what was turned/);
+});
+
+test("a saved job comes back, with a net of its own beside an imported one", () => {
+  const job = planned();
+  addFile(job, "other.csv", bytes("id,x,y,z,is_free\n"));
+  job.outputs["imported.json"] = net;
+  job.madeWith = { "result.json": "[]" };
+  const back = readJob("taut-job.json", bytes(jobText(job)));
+  assert.deepEqual(filesOf(back), filesOf(job));
+  assert.deepEqual(back.madeWith, job.madeWith);
+  assert.throws(() => addFile(newJob(), "cut.json", bytes('{"format": "taut-jo')), /cut\.json is no whole JSON file/);
 });
