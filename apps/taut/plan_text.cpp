@@ -32,10 +32,6 @@ void print_deviations(const PlanRecord& record) {
         say("standard deviation of the planned form along the normal: {:.2f} mm RMS\n",
             1e3 * plan.normal_std);
     }
-    if (!plan.strokes.empty() && plan.draws > 0 && !record.turns->options.tolerance &&
-        plan.target_tensions.empty() && plan.gain() < plan.normal_std) {
-        say("  The turns gain less than that. Turn fewer edges, or none: --tolerance.\n");
-    }
 }
 
 /// Targets that would improve the plan if they were surveyed before anything is turned.

@@ -45,18 +45,9 @@ StrokedState fixed_by_quarters(std::vector<LimitedResponse>& responses, const St
     return state;
 }
 
-}  // namespace
-
-std::vector<int> next_to_fix(std::vector<int> open, const Eigen::VectorXd& strokes,
-                             const Eigen::VectorXd& multiples) {
-    std::ranges::sort(open, {}, [&](int j) { return std::abs(strokes(j) - multiples(j)); });
-    open.resize(std::min(open.size(), std::max<size_t>(8, open.size() / 4)));
-    return open;
-}
-
-StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const StrokeTask& task,
-                            const StrokedState& free, double step) {
-    StrokedState state = fixed_by_quarters(responses, task, free, step);
+/// Single steps, as long as one lowers the merit.
+StrokedState improved_by_steps(std::vector<LimitedResponse>& responses, const StrokeTask& task,
+                               StrokedState state, double step) {
     constexpr int most_moves = 200;
     for (int moves = 0; moves < most_moves; ++moves) {
         const std::vector<ProposedStrokes> better =
@@ -76,6 +67,26 @@ StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const Strok
         }
     }
     return state;
+}
+
+}  // namespace
+
+std::vector<int> next_to_fix(std::vector<int> open, const Eigen::VectorXd& strokes,
+                             const Eigen::VectorXd& multiples) {
+    std::ranges::sort(open, {}, [&](int j) { return std::abs(strokes(j) - multiples(j)); });
+    open.resize(std::min(open.size(), std::max<size_t>(8, open.size() / 4)));
+    return open;
+}
+
+StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const StrokeTask& task,
+                            const StrokedState& free, double step) {
+    StrokedState by_rounding =
+        improved_by_steps(responses, task, fixed_by_quarters(responses, task, free, step), step);
+    // Steps may be so coarse that rounding all strokes is worse than turning nothing.
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(free.strokes.size());
+    StrokedState from_none =
+        improved_by_steps(responses, task, state_at(responses, task, none, &free), step);
+    return merit_of(task, from_none) < merit_of(task, by_rounding) ? from_none : by_rounding;
 }
 
 }  // namespace taut

@@ -30,6 +30,13 @@ std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
     return threads[static_cast<size_t>(found - adjustable.begin())];
 }
 
+/// Whether each limit is rather kept than not: then they fail together alone.
+bool are_likely(const std::vector<LimitBreach>& breaches) {
+    return !breaches.empty() && std::ranges::all_of(breaches, [](const LimitBreach& one) {
+        return one.probability > 0.5;
+    });
+}
+
 }  // namespace
 
 std::string support_id(const CableNet& net, int edge) {
@@ -42,20 +49,20 @@ std::string support_id(const CableNet& net, int edge) {
 }
 
 std::vector<ListedTurning> listed_turnings(const PlanRecord& record) {
-    std::map<int, double> length;
+    std::map<int, double> reading;
     std::vector<ListedTurning> list;
     for (const Turning& turning : record.turns->order.turnings) {
-        const auto [it, is_new] =
-            length.try_emplace(turning.edge, record.built->net.unstressed_lengths()(turning.edge));
+        const auto [it, is_new] = reading.try_emplace(
+            turning.edge, turned_from_design(*record.net, *record.built, turning.edge));
         it->second += turning.stroke;
-        list.push_back(
-            {.turning = turning,
-             .turns = record.turns->options.turn ? std::optional(std::abs(turning.stroke) /
-                                                                 record.turns->options.turn->pitch)
-                                                 : std::nullopt,
-             .rotation = rotation_of(turning.stroke, thread_of(record, turning.edge)),
-             .reading_after = it->second - record.net->unstressed_lengths()(turning.edge),
-             .tension_after = record.turns->plan.tensions(turning.edge)});
+        list.push_back({.turning = turning,
+                        .turns = record.turns->options.turn
+                                     ? std::optional(std::abs(turning.stroke) /
+                                                     record.turns->options.turn->pitch)
+                                     : std::nullopt,
+                        .rotation = rotation_of(turning.stroke, thread_of(record, turning.edge)),
+                        .reading_after = it->second,
+                        .tension_after = record.turns->plan.tensions(turning.edge)});
     }
     return list;
 }
@@ -79,7 +86,13 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
         warnings.push_back(fmt::format(
             "DO NOT TURN BY THIS LIST: the identification failed its checks: {}", failure));
     }
-    if (!plan.is_feasible) {
+    if (!plan.is_feasible && are_likely(plan.breaches)) {
+        warnings.push_back(fmt::format(
+            "DO NOT TURN BY THIS LIST: all limits together are kept with a probability of {:.1f} % "
+            "(required: {:g} %)",
+            100.0 * plan.limit_probability.value_or(0.0),
+            100.0 * record.turns->options.confidence));
+    } else if (!plan.is_feasible) {
         warnings.emplace_back("DO NOT TURN BY THIS LIST: the plan breaks limits");
     } else if (!order.is_safe && order.worst.breach.probability > 0.0) {
         warnings.push_back(fmt::format(
@@ -89,6 +102,15 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
     } else if (!order.is_safe) {
         warnings.push_back(
             fmt::format("NO SAFE ORDER WAS FOUND: step {} breaks a limit", order.worst.step + 1));
+    }
+    const bool is_for_form_alone = !record.turns->options.tolerance && plan.target_tensions.empty();
+    if (plan.is_feasible && !plan.strokes.empty() && is_for_form_alone && plan.draws > 0 &&
+        plan.gain() < plan.normal_std) {
+        warnings.push_back(
+            fmt::format("THE TURNS GAIN LITTLE: {:.2f} mm RMS along the normal, less than the "
+                        "{:.2f} mm to which "
+                        "the planned form is known. Turn fewer edges, or none: give a tolerance",
+                        1e3 * plan.gain(), 1e3 * plan.normal_std));
     }
     if (plan.draws == 0 && !plan.target_tensions.empty()) {
         warnings.push_back(

@@ -49,7 +49,8 @@ protected:
 };
 
 TEST_F(EpochCommand, TakesTheListThatWasFilledInAsExcelFile) {
-    must_run({"export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx"});
+    // With a warning, as what the turns gain is little.
+    ASSERT_EQ(run({"export", "plan.json", "--to", "xlsx", "-o", "turns.xlsx"}).exit_code, 0);
     const auto turned = [&](const std::string& list) {
         const Outcome outcome = identify("second.csv:" + list);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -146,11 +146,12 @@ export function planBoxes(plan: Plan): HTMLElement[] {
     reasons.length === 0 ? null : h("ul", { class: "findings" }, ...reasons.slice(0, shown).map((reason) => h("li", {}, reason))),
     reasons.length > shown ? h("p", {}, `${reasons.length - shown} more findings are in the plan's file.`) : null);
   const more = plan.violations.length - shown;
-  const words = plan.feasible ? (plan.order.safe ? "" : "; but no safe order was found") : "; the plan has the smallest excess. These are not kept:";
+  const together = !plan.feasible && plan.violations.length > 0 && plan.violations.every((breach) => breach.probability > 0.5);
+  const words = plan.feasible ? (plan.order.safe ? "" : "; but no safe order was found") : together ? ". Each limit is likelier kept than not; all of them together are not kept often enough. The least probable:" : "; the plan has the smallest excess. These are not kept:";
   const limits = h("div", { class: `trust ${!plan.feasible ? "failed" : plan.order.safe && plan.draws > 0 ? "passed" : "doubtful"}`, id: "verdict" },
     h("p", {}, h("strong", {}, limitsKept(plan)),
       !plan.feasible ? "" : plan.draws === 0 ? ", by the estimate alone" : `, with the required probability of ${short(100 * plan.options.confidence)} %`, words, plan.feasible ? "." : ""),
-    ...(plan.feasible ? [] : plan.violations.slice(0, shown).map((breach) => h("p", {}, `${breachWords(breach)}.`))),
+    ...(plan.feasible ? [] : plan.violations.slice(0, shown).map((breach) => h("p", {}, `${breachWords(breach)}${together ? `, kept with a probability of ${percent(breach.probability)} %` : ""}.`))),
     !plan.feasible && more > 0 ? h("p", {}, `${more} more are in the table below.`) : null,
     plan.converged ? null : h("p", {}, "The search for the best plan did not converge: another plan may be nearer to the target."));
   const warnings = plan.warnings ?? [];
