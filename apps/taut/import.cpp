@@ -27,6 +27,7 @@ struct ImportOptions : CommonOptions {
     std::string supports;
     std::string stress_strain;
     std::string loads = "file";
+    std::string slides = "none";
     ImportSettings settings;  ///< but for what files hold
 };
 
@@ -137,6 +138,7 @@ void run(const ImportOptions& options) {
     settings.loads = options.loads == "balance" ? Loads::balance
                      : options.loads == "none"  ? Loads::none
                                                 : Loads::file;
+    settings.slides = parse_slides(options.slides);
     const bool is_file = options.supports != "boundary";
     check_outputs({options.output}, {options.file, options.edges, options.stress_strain,
                                      is_file ? options.supports : ""});
@@ -198,6 +200,12 @@ void add_import(CLI::App& program) {
             "--loads", options->loads,
             "file: the loads of FILE; balance: those that keep the given form in equilibrium; none")
         ->check(CLI::IsMember({"balance", "file", "none"}))
+        ->capture_default_str();
+    command
+        .add_option("--slides", options->slides,
+                    "Cables that slide through their nodes: names: edges of one name but for the "
+                    "number at its end; straight: edges that go straight on; none")
+        ->check(CLI::IsMember({"names", "none", "straight"}))
         ->capture_default_str();
     set_action(command, options, run);
 }

@@ -33,7 +33,8 @@ nb::tuple net_of_compas(const std::string& text, const std::string& name, const 
                         const std::optional<double>& young, const std::optional<double>& diameter,
                         const std::string& diameter_attribute,
                         const std::optional<double>& force_unit, const std::string& loads,
-                        const std::optional<std::vector<std::string>>& supports, bool boundary) {
+                        const std::optional<std::vector<std::string>>& supports, bool boundary,
+                        const std::string& slides) {
     ImportedStructure structure = parse_compas(text, name, select);
     if (boundary) {
         support_boundary(structure);
@@ -53,7 +54,8 @@ nb::tuple net_of_compas(const std::string& text, const std::string& name, const 
                                                   .force_unit = force_unit,
                                                   .loads = loads == "balance" ? Loads::balance
                                                            : loads == "none"  ? Loads::none
-                                                                              : Loads::file});
+                                                                              : Loads::file,
+                                                  .slides = parse_slides(slides)});
     const ImportReport& report = imported.report;
     nb::dict notes;
     notes["read"] = report.read;
@@ -76,7 +78,7 @@ void bind_interchange(nb::module_& module) {
                nb::arg("select"), nb::arg("axial_stiffness").none(), nb::arg("young").none(),
                nb::arg("diameter").none(), nb::arg("diameter_attribute"),
                nb::arg("force_unit").none(), nb::arg("loads"), nb::arg("supports").none(),
-               nb::arg("boundary"));
+               nb::arg("boundary"), nb::arg("slides"));
     module.def(
         "_compas_of_form",
         [](const CableNet& net, const std::optional<ArrayLike>& form) {

@@ -48,6 +48,7 @@ def from_compas(
     supports: Iterable[object] | None = None,
     boundary: bool = False,
     loads: str = "file",
+    slides: str = "none",
 ) -> _taut.CableNet:
     """CableNet.from_compas()."""
     if isinstance(structure, (str, os.PathLike)):
@@ -76,6 +77,7 @@ def from_compas(
         supports=supports,
         boundary=boundary,
         loads=loads,
+        slides=slides,
     )
 
 

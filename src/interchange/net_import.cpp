@@ -12,6 +12,7 @@
 
 #include "interchange/import_lengths.hpp"
 #include "interchange/import_numbers.hpp"
+#include "interchange/import_runs.hpp"
 #include "interchange/import_selection.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/statics/energy.hpp"
@@ -234,6 +235,7 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
         net = make_net(selected, std::move(data));
         warn_of_loose_ends(net, report);
     }
+    net = with_sliding_runs(net, settings.slides, structure.file, report);
     describe(net, report);
     return {.net = net, .report = std::move(report)};
 }

@@ -330,5 +330,61 @@ TEST(SupportNamed, MarksTheNodesOfAListAndRefusesAName) {
               "supports.txt: names no node, expected the supports");
 }
 
+/// A cross of two cables of three edges each, r and s, and a ring of three.
+ImportedStructure crossing_cables() {
+    ImportedStructure structure{.file = "net.json", .format = "test"};
+    const auto add = [&](const char* id, double x, double y, bool is_support) {
+        structure.nodes.push_back(
+            {.id = id, .position = Eigen::Vector3d(x, y, 0.0), .is_support = is_support});
+    };
+    add("a", -2, 0, true);
+    add("b", -1, 0, false);
+    add("c", 1, 0.1, false);
+    add("d", 2, 0, true);
+    add("e", -1, -2, true);
+    add("f", 1, 2, true);
+    for (const auto& [id, s, t] : {std::tuple("r_2", 1, 2),
+                                   {"r_1", 0, 1},
+                                   {"r_3", 2, 3},
+                                   {"s.1", 4, 1},
+                                   {"s.2", 2, 5},
+                                   {"tie", 1, 5}}) {
+        structure.edges.push_back({.id = id, .s = s, .t = t, .numbers = {{"f", 10.0}}});
+    }
+    return structure;
+}
+
+TEST(ImportNet, FindsCablesThatSlideByNamesAndAsTheyGoStraightOn) {
+    const ImportedStructure structure = crossing_cables();
+    ImportSettings settings{.axial_stiffness = 1e4};
+    const ImportedNet clamped = import_net(structure, settings);
+    EXPECT_TRUE(clamped.net.sliding_nodes().empty());
+    EXPECT_THAT(clamped.report.assumed,
+                Contains(HasSubstr("though 1 go on by their names, and 1 straight on")));
+    settings.slides = parse_slides("names");
+    const ImportedNet named = import_net(structure, settings);
+    ASSERT_EQ(named.net.data().runs.size(), 1U);  // the edges of s do not meet
+    const CableRun& run = named.net.data().runs[0];
+    EXPECT_EQ(run.name, "r");
+    EXPECT_THAT(run.edges, testing::ElementsAre(1, 0, 2));
+    EXPECT_THAT(run.slides_at, testing::ElementsAre(1, 2));
+    EXPECT_FALSE(run.friction);
+    settings.slides = parse_slides("straight");
+    EXPECT_EQ(import_net(structure, settings).net.sliding_nodes().size(), 2U);
+    EXPECT_THAT([] { (void)parse_slides("all"); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("expected 'names'")));
+    ImportedStructure other = structure;
+    for (ImportedEdge& edge : other.edges) {
+        edge.id += "x";
+    }
+    settings.slides = ImportSettings::Slides::names;
+    EXPECT_THAT(input_error_of([&] { return import_net(other, settings); }),
+                HasSubstr("names no cable that slides"));
+    // Tensions that do not balance where it slides.
+    other = structure;
+    other.edges[0].numbers["f"] = 13.0;
+    EXPECT_THAT(import_net(other, settings).report.warnings, Contains(HasSubstr("1.3 times")));
+}
+
 }  // namespace
 }  // namespace taut

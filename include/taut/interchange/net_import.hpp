@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/export/io.hpp"
@@ -21,6 +22,12 @@ struct ImportSettings {
         balance,  ///< those that hold the given form in equilibrium
         none,
     };
+    /// Which cables run on through nodes, and slide there.
+    enum class Slides {
+        none,
+        names,     ///< edges of one name but for the number at its end
+        straight,  ///< edges that go on with a turn of less than 30 degrees
+    };
     std::optional<double> axial_stiffness;      ///< of all edges [N]
     std::optional<double> young;                ///< of all edges, with a diameter [Pa]
     std::optional<StressStrain> stress_strain;  ///< of all edges, with a diameter or the file's r
@@ -28,7 +35,12 @@ struct ImportSettings {
     std::string diameter_attribute;             ///< name of the attribute that gives it [mm]
     std::optional<double> force_unit;           ///< of q, f and loads in the file [N]
     Loads loads = Loads::file;                  ///< which ones the net gets
+    Slides slides = Slides::none;               ///< with a friction that is not known
 };
+
+/// "names", "straight" or "none".
+/// @throws std::invalid_argument for another text
+[[nodiscard]] TAUT_IO_EXPORT ImportSettings::Slides parse_slides(std::string_view text);
 
 /// What was read, left out and assumed: a line each, for a person.
 struct ImportReport {
@@ -58,9 +70,11 @@ struct ImportedNet {
 /// gives unstressed lengths that agree with its forces, they are taken; else l_0 = l / (1 + strain
 /// at T), T/EA where edges are linear, with T = q l, or T = f.
 ///
-/// Struts are those of the attribute is_strut, else the edges in compression.
+/// Cables that slide do so at all free nodes on their way. Struts are those of the attribute
+/// is_strut, else the edges in compression.
 /// @throws InputError naming the node or edge: a cable in compression, a strain above 10 %, no
-///   axial stiffness, a rule of CableNet that is broken
+///   axial stiffness, a rule of CableNet that is broken, no cable that slides where they are asked
+///   for
 /// @throws std::invalid_argument for settings that are not positive, or exclude each other
 [[nodiscard]] TAUT_IO_EXPORT ImportedNet import_net(const ImportedStructure& structure,
                                                     const ImportSettings& settings);

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "interchange/import_runs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "net/sliding_nodes.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/net/cable_runs.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+using Slides = ImportSettings::Slides;
+
+/// A name without the number at its end: "ridge" of "ridge_12"; empty where it has no such number.
+std::string stem_of(const std::string& id) {
+    const size_t digits = id.find_last_not_of("0123456789");
+    if (digits == std::string::npos || digits + 1 == id.size()) {
+        return {};
+    }
+    const size_t end = id.find_last_not_of(" _-.:/#", digits);
+    return end == std::string::npos ? std::string() : id.substr(0, end + 1);
+}
+
+/// Edges that hang together, from one end to the other, as paths: a node with more than two of them
+/// ends a path.
+std::vector<std::vector<int>> paths_of(const CableNet& net, const std::vector<int>& edges) {
+    std::map<int, std::vector<int>> at;
+    for (const int edge : edges) {
+        for (const int node : net.edges()[edge]) {
+            at[node].push_back(edge);
+        }
+    }
+    std::map<int, bool> is_taken;
+    std::vector<std::vector<int>> paths;
+    const auto follow = [&](int node, int edge) {
+        std::vector<int> path;
+        while (!is_taken[edge]) {
+            is_taken[edge] = true;
+            path.push_back(edge);
+            const auto [s, t] = net.edges()[edge];
+            node = s == node ? t : s;
+            const std::vector<int>& here = at[node];
+            if (here.size() == 2) {
+                edge = here[0] == edge ? here[1] : here[0];
+            }
+        }
+        if (path.size() > 1) {
+            paths.push_back(std::move(path));
+        }
+    };
+    for (const auto& [node, here] : at) {
+        for (const int edge : here) {
+            if (here.size() != 2 && !is_taken[edge]) {
+                follow(node, edge);
+            }
+        }
+    }
+    for (const int edge : edges) {  // rings
+        if (!is_taken[edge]) {
+            follow(net.edges()[edge][0], edge);
+        }
+    }
+    return paths;
+}
+
+std::map<std::string, std::vector<int>> groups_of(const CableNet& net, Slides by) {
+    std::map<std::string, std::vector<int>> groups;
+    if (by == Slides::names) {
+        for (int e = 0; e < net.edge_count(); ++e) {
+            if (const std::string stem = stem_of(net.edge_id(e));
+                !stem.empty() && !net.is_strut(e)) {
+                groups[stem].push_back(e);
+            }
+        }
+        return groups;
+    }
+    const std::vector<std::vector<int>> runs = cable_runs(net);
+    for (size_t k = 0; k < runs.size(); ++k) {
+        groups[fmt::format("run {}", k + 1)] = runs[k];
+    }
+    return groups;
+}
+
+/// Largest ratio of tensions on both sides of a node where a run slides, in the given form.
+double largest_ratio(const CableNet& net) {
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    double largest = 1.0;
+    for (const SlidingNode& at : net.sliding_nodes()) {
+        const auto [less, more] = std::minmax(tension(at.before), tension(at.after));
+        largest = std::max(largest, more / std::max(less, 1e-9 * more));
+    }
+    return largest;
+}
+
+}  // namespace
+
+ImportSettings::Slides parse_slides(std::string_view text) {
+    for (const auto& [by, name] : {std::pair(Slides::none, "none"),
+                                   {Slides::names, "names"},
+                                   {Slides::straight, "straight"}}) {
+        if (text == name) {
+            return by;
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("slides: got '{}', expected 'names', 'straight' or 'none'", text));
+}
+
+std::vector<CableRun> sliding_runs(const CableNet& net, Slides by) {
+    std::vector<CableRun> runs;
+    for (const auto& [name, edges] : groups_of(net, by)) {
+        const std::vector<std::vector<int>> paths = paths_of(net, edges);
+        for (size_t k = 0; k < paths.size(); ++k) {
+            CableRun run{.name = paths.size() > 1 ? fmt::format("{} ({})", name, k + 1) : name,
+                         .edges = paths[k]};
+            for (size_t i = 0; i + 1 < run.edges.size(); ++i) {
+                const Edge& next = net.edges()[run.edges[i + 1]];
+                for (const int node : net.edges()[run.edges[i]]) {
+                    if (std::ranges::find(next, node) != next.end() && net.free_index(node) >= 0 &&
+                        std::ranges::find(run.slides_at, node) == run.slides_at.end()) {
+                        run.slides_at.push_back(node);
+                    }
+                }
+            }
+            if (!run.slides_at.empty()) {
+                runs.push_back(std::move(run));
+            }
+        }
+    }
+    return runs;
+}
+
+CableNet with_sliding_runs(const CableNet& net, Slides by, const std::string& file,
+                           ImportReport& report) {
+    if (by == Slides::none) {
+        const size_t named = sliding_runs(net, Slides::names).size();
+        const size_t straight = sliding_runs(net, Slides::straight).size();
+        report.assumed.push_back(
+            named + straight == 0
+                ? "cables are clamped at all nodes"
+                : fmt::format(
+                      "cables are clamped at all nodes, though {} go on by their names, and {} "
+                      "straight on: --slides names or straight where they slide",
+                      named, straight));
+        return net;
+    }
+    CableNetData data = net.data();
+    data.runs = sliding_runs(net, by);
+    if (data.runs.empty()) {
+        throw InputError(file, "",
+                         by == Slides::names
+                             ? "names no cable that slides, expected two edges or more of one name "
+                               "but for the number at its end, one after the other"
+                             : "has no cable that goes straight on through a free node");
+    }
+    size_t edges = 0;
+    for (const CableRun& run : data.runs) {
+        edges += run.edges.size();
+    }
+    report.assumed.push_back(fmt::format(
+        "{} cables of {} edges slide through their nodes, with a friction that is not known",
+        data.runs.size(), edges));
+    CableNet result(std::move(data));
+    constexpr double alike = 1.02;
+    if (const double ratio = largest_ratio(result); ratio > alike) {
+        report.warnings.push_back(
+            fmt::format("in the given form tensions on both sides of a node where a cable slides "
+                        "differ by up to {:.2g} times: 'taut form' lets it slide to another form",
+                        ratio));
+    }
+    return result;
+}
+
+}  // namespace taut
