@@ -22,7 +22,7 @@ class Row:
         self.worst = 100.0
 
     def add(self, net, job, prior, noise):
-        found, ended = identify(net.folder, "--noise", noise, "--prior", prior)
+        found, ended = identify(net.folder, "--noise", noise, "--prior", prior, *net.options)
         if not found:
             if ended.returncode != 1:
                 raise SystemExit(ended.stderr)
@@ -65,11 +65,11 @@ def in_a_frame(form, random, is_levelled):
     return middle + (form - middle) @ rotation.T + 5e-3 * random.normal(size=3)
 
 
-def survey(net, form, noise, random, is_levelled=False):
+def survey(net, form, noise, random, is_levelled=False, name="survey.csv"):
     """Nine of ten free nodes, in a coordinate system of their own, with noise."""
     seen = net.free[random.random(len(net.free)) >= 0.1]
     places = in_a_frame(form, random, is_levelled) + quantity(noise) * random.normal(size=form.shape)
-    write_points(net.folder / "survey.csv", seen, places[seen])
+    write_points(net.folder / name, seen, places[seen])
 
 
 def lines(script, cases, premises, make, has_springs=False):

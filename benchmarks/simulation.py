@@ -145,6 +145,7 @@ class Net:
         self.interior = np.setdiff1d(np.arange(count), self.adjustable)
         self.is_strut = np.array(data.get("kind", ["cable"] * count)) == "strut"
         self.load_factor, self.missing_load = 1.0, 0.0
+        self.options = []  # of taut identify, besides those of a study
         self.alter = lambda deviations, nodes, random: None
         self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
         strain = self.spans(self.nodes) / self.lengths - 1

@@ -78,7 +78,7 @@ void run(const CompareOptions& given) {
     CompareOptions options = given;
     options.comparison.check();
     const CableNet net = read_net(options.net).net;
-    naming_file(options.net, [&] { refuse_sliding(net); });
+    naming_file(options.net, [&] { refuse_sliding(net, "training"); });
     options.comparison.uncertain = options.uncertain.given(net, options.net);
     const int most = std::ranges::max(options.comparison.training_samples);
     require_memory(training_memory(net, most), fmt::format("{} training samples", most));

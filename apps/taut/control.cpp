@@ -66,7 +66,7 @@ void print_record(const ControlRecord& record, const ControlSettings& settings) 
 
 void run(const ControlCommand& command) {
     const CableNet net = read_net(command.net).net;
-    naming_file(command.net, [&] { refuse_sliding(net); });
+    naming_file(command.net, [&] { refuse_sliding(net, "a trial of plans"); });
     const ControlSettings settings = settings_of(net, command);
     const std::filesystem::path directory(command.directory);
     if (process_group().is_first()) {

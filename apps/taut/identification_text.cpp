@@ -106,6 +106,17 @@ void print_common_deviation(const CommonDeviation& common) {
     say("\n");
 }
 
+/// Cables that slide have one length from clamp to clamp.
+void print_stretches(const CableNet& net, const Identification& result) {
+    for (const StretchLength& stretch : result.stretches) {
+        say("cable that slides, edges {} to {}, friction up to {:.2g}: {:+.2f} mm, std {:.2f} mm, "
+            "of {:.4g} m; {:.4g} kN, std {:.2g} kN\n",
+            net.edge_id(stretch.edges.front()), net.edge_id(stretch.edges.back()), stretch.friction,
+            1e3 * stretch.length_deviation, 1e3 * stretch.std, stretch.nominal,
+            1e-3 * stretch.tension, 1e-3 * stretch.tension_std);
+    }
+}
+
 void print_draws(const CableNet& net, const Identification& result) {
     if (!result.draws) {
         say("tensions: not reported, as there are no posterior samples (--draws)\n");
@@ -231,6 +242,7 @@ void print_identification(const CableNet& net, const SurveyOptions& options, con
     print_epochs(net, result);
     print_forces(net, result);
     print_common_deviation(result.prior.common);
+    print_stretches(net, result);
     print_uncertain(net, result);
     print_draws(net, result);
     say("\n");

@@ -140,7 +140,9 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
 
 void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
-    naming_file(options.net, [&] { refuse_sliding(net); });
+    if (!options.epochs.empty()) {
+        naming_file(options.net, [&] { refuse_sliding(net, "a chain of surveys"); });
+    }
     IdentifyOptions settings = options.settings;
     if (!options.prior.empty()) {
         settings.prior = prior_for(net, options.prior, options.net);

@@ -250,7 +250,7 @@ void run(const InspectOptions& options) {
     warn(options.net, inspection.warnings);
     std::optional<PredictedSurvey> precision;
     if (!options.survey.empty()) {
-        naming_file(options.net, [&] { refuse_sliding(net); });
+        naming_file(options.net, [&] { refuse_sliding(net, "a prediction of a survey"); });
         precision = precision_of(net, inspection.equilibrium, options, prior,
                                  read_planned_forces(net, options), options.uncertain,
                                  options.suggestions, options, options.net, options.json);

@@ -59,7 +59,7 @@ void check_directory(const ReproduceOptions& options) {
 void run(const ReproduceOptions& options) {
     options.study.check();
     const NetFile file = net_of(options);
-    naming_file(options.net, [&] { refuse_sliding(file.net); });
+    naming_file(options.net, [&] { refuse_sliding(file.net, "training"); });
     require_memory(training_memory(file.net, options.study.samples),
                    fmt::format("{} samples", options.study.samples));
     check_directory(options);

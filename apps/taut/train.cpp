@@ -74,7 +74,7 @@ void run(const TrainOptions& options) {
     }
     const StoredDataSet stored = read_data_set(options.data);
     note_digest(options.data, stored.has_digest);
-    naming_file(options.data, [&] { refuse_sliding(stored.net.net); });
+    naming_file(options.data, [&] { refuse_sliding(stored.net.net, "training"); });
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
     if (samples.size() < 2) {
         throw InputError(

@@ -183,6 +183,9 @@ void bind_checks(nb::class_<Identified>& result) {
     bind_fields<Identification>(
         result, &Identified::found,
         {{"method_reason", "Why this method was used."},
+         {"stretches",
+          "Cables that slide, one length from clamp to clamp. Of each: edges, nominal, "
+          "length_deviation and its std [m], tension and tension_std [N]."},
          {"residuals",
           "Distances of the surveyed free nodes from the predicted form, in the order of "
           "survey.surveyed (k,) [m]."},

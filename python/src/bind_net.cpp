@@ -271,7 +271,8 @@ Args:
     runs: named lists of edges that are cut from one cable; by default edges that go straight on
         through a node.
     slides_at: nodes of runs where the cable can slide, by the name of the run.
-    friction: coefficient of friction there, by the name of the run; by default 0.
+    friction: coefficient of friction there, by the name of the run. By default it is not known:
+        forms are those of 0, and identification reckons with any up to 0.1.
     bending_stiffness: EI (m,), or one number, for tensions from frequencies [N m2].
     support_stiffness: of those supports that give way, by node: one number, three of the axes, or a
         matrix (3, 3) [N/m].
@@ -375,7 +376,7 @@ Raises:
                 "axial_stiffness: float | None = None, young: float | None = None, diameter: float "
                 "| None = None, diameter_attribute: str = '', force_unit: float | None = None, "
                 "supports: Sequence[object] | None = None, boundary: bool = False, loads: str = "
-                "'file') -> CableNet"),
+                "'file', slides: str = 'none') -> CableNet"),
         R"(A net from a COMPAS 2 Mesh or Graph (Network), or from the path of a file of COMPAS 1 or 2. Its
 unstressed lengths follow from the edges' forces or force densities and the stiffness of cables.
 
@@ -387,6 +388,8 @@ Args:
     supports: keys of its supports, where its nodes have no mark.
     boundary: the nodes of a mesh's boundary are supports.
     loads: those of the structure ('file'), 'none', or those that 'balance' its forces.
+    slides: cables that slide through their nodes: edges of one name but for the number at its end
+        ('names'), or that go 'straight' on.
 
 Raises:
     InputError: for what is missing or contradicts itself, at its place in the structure.

@@ -105,6 +105,7 @@ TAUT_FIELDS(Trust::Finding, kind, severity, ids, value, std, confounded_with, re
 TAUT_FIELDS(Trust, findings)
 TAUT_FIELDS(ParameterEstimate, parameter, edge, node, axis, mean, std, prior_std)
 TAUT_FIELDS(IdentifiedEdge, edge, nominal, length_deviation, std, lower, upper, status)
+TAUT_FIELDS(StretchLength, edges, nominal, friction, length_deviation, std, tension, tension_std)
 TAUT_FIELDS(Assumption, parameter, is_default, is_testable)
 TAUT_FIELDS(LengthCovariance, edges, covariance)
 TAUT_FIELDS(FrameOffset, about, translation, translation_std, rotation, rotation_std)
@@ -113,7 +114,7 @@ TAUT_FIELDS(EpochResult, surveyed, turned, load, outliers, boundary_outliers, fr
             noise_ratio, noise_scale, change_ratio, change_limit, changes, excess_actuator_std,
             stroke_factor, stroke_factor_std, trust)
 TAUT_FIELDS(Identification, method, method_reason, how, length_prior, prior, status, message, edges,
-            predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
+            stretches, predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
             length_outliers, boundary_outliers, boundary_not_released, detectable, noise_scale,
             frame_offset, scales, prior_check, frame_check, load_check, contradicted_prior,
             prior_was_given, force_measurements, force_outliers, force_bias, contradicted_taut,

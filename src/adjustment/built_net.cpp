@@ -6,15 +6,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "net/sliding_nodes.hpp"
+#include "statics/sliding.hpp"
 #include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
-
-CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
+BuiltNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
                            std::span<const ParameterEstimate> uncertain,
                            std::span<const BoundaryOutlier> boundary_outliers) {
     Eigen::VectorXd lengths = net.unstressed_lengths();
@@ -30,14 +34,20 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
         }
     }
     const CableNet identified = net_under(net, perturbation, lengths);
-    const Equilibrium equilibrium = solve_equilibrium(identified);
+    const Equilibrium equilibrium = solve_equilibrium(clamped(identified));
     if (!equilibrium.balanced()) {
         throw std::invalid_argument("with the estimated lengths the net finds no equilibrium");
     }
     CableNetData data = identified.data();
     data.unstressed_lengths = equilibrium.unstressed_lengths;
     data.nodes = equilibrium.form;
-    return CableNet(std::move(data));
+    data.runs =
+        runs_from_here(identified, equilibrium.form,
+                       tensions(identified, equilibrium.unstressed_lengths, equilibrium.form));
+    BuiltNet built{.net = CableNet(std::move(data))};
+    built.shown_lengths = built.net.unstressed_lengths();
+    built.shown_lengths(net.adjustable_edges()) = lengths(net.adjustable_edges());
+    return built;
 }
 
 namespace {
@@ -45,9 +55,11 @@ namespace {
 /// Whether the samples hold all uncertain parameters: those of older versions hold lengths alone.
 bool holds_all(const PosteriorDraws& draws, std::span<const ParameterEstimate> uncertain) {
     return std::ranges::all_of(uncertain, [&](const ParameterEstimate& one) {
-        return one.parameter.kind == UncertainParameter::Kind::adjustable
-                   ? draws.adjustable_deviations.size() > 0
-                   : !draws.perturbations.empty();
+        const UncertainParameter::Kind kind = one.parameter.kind;
+        return kind == UncertainParameter::Kind::slip ||  // part of the lengths
+               (kind == UncertainParameter::Kind::adjustable
+                    ? draws.adjustable_deviations.size() > 0
+                    : !draws.perturbations.empty());
     });
 }
 
@@ -119,8 +131,15 @@ void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& dr
     if (draws.count() > 0 && !(built.length_draws.minCoeff() > 0.0)) {
         throw std::invalid_argument("in a posterior sample an edge has no positive length");
     }
-    for (Eigen::Index d = 0; !perturbations.empty() && d < draws.count(); ++d) {
+    const bool differs = !perturbations.empty() || !turned.sliding_nodes().empty();
+    for (Eigen::Index d = 0; differs && d < draws.count(); ++d) {
         built.perturbations.push_back(perturbation_of(built.net, turned, perturbations, d));
+        double whole = 0.0;
+        const double part =  // evenly spread, in an order that the samples do not follow
+            std::modf((static_cast<double>(d) + 0.5) / std::numbers::phi, &whole);
+        built.perturbations.back().runs = runs_from_here(
+            turned, with_free_coordinates(turned, draws.forms.col(d)), draws.tensions.col(d),
+            CableRun::uncertain_friction * (2.0 * part - 1.0));
     }
 }
 
@@ -134,12 +153,10 @@ std::string failure_of(const Trust& trust) {
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {
     const CableNet turned = turned_net(net, identification.turned);
-    BuiltNet built{.net = net_as_identified(turned, identification.edges, identification.uncertain,
-                                            identification.boundary_outliers),
-                   .length_draws = {},
-                   .perturbations = {},
-                   .no_draws_because = "the identification was made without posterior samples",
-                   .failed_because = failure_of(identification.trust)};
+    BuiltNet built = net_as_identified(turned, identification.edges, identification.uncertain,
+                                       identification.boundary_outliers);
+    built.no_draws_because = "the identification was made without posterior samples";
+    built.failed_because = failure_of(identification.trust);
     if (identification.draws) {
         built.no_draws_because.clear();
         add_draws(built, turned, *identification.draws, identification.uncertain);

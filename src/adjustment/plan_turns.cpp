@@ -62,13 +62,13 @@ Limits limits_of_ranges(const CableNet& net, std::vector<StrokeRange> ranges,
 }
 
 /// Narrows the strokes so that no edge ends further than `total` from its designed length.
-void limit_total_stroke(const CableNet& net, const CableNet& built, double total,
+void limit_total_stroke(const CableNet& net, const BuiltNet& built, double total,
                         const std::vector<int>& edges, Limits& limits) {
     constexpr double rounding = 1e-9;
     check_stroke("total_stroke", total);
     for (size_t k = 0; k < edges.size(); ++k) {
         const int edge = edges[k];
-        const double offset = built.unstressed_lengths()(edge) - net.unstressed_lengths()(edge);
+        const double offset = turned_from_design(net, built, edge);
         if (std::abs(offset) > total * (1.0 + rounding)) {
             throw RequestError(
                 "total_stroke",
@@ -227,7 +227,7 @@ void check_tension_range(const TensionRange& range) {
     }
 }
 
-ResolvedRequest resolve(const CableNet& net, const CableNet& built, const PlanRequest& request) {
+ResolvedRequest resolve(const CableNet& net, const BuiltNet& built, const PlanRequest& request) {
     ResolvedRequest result{.options = request.options, .limits = {}};
     std::vector<int>& edges = result.options.edges;
     if (edges.empty()) {
@@ -266,8 +266,9 @@ ResolvedRequest resolve(const CableNet& net, const CableNet& built, const PlanRe
     }
     for (const AddedLoads& added : request.load_cases) {
         check_form(added.name.c_str(), net.node_count(), added.loads);
-        limits.load_cases.push_back(
-            {.name = added.name, .loads = built.loads() + added.loads, .tension = limits.tension});
+        limits.load_cases.push_back({.name = added.name,
+                                     .loads = built.net.loads() + added.loads,
+                                     .tension = limits.tension});
     }
     return result;
 }
@@ -278,7 +279,7 @@ PlannedTurns plan_turns(const CableNet& net, const BuiltNet& built, const FormTa
         throw RequestError("suggest_adjustable",
                            fmt::format("is {}, expected 0 or more", request.suggest_adjustable));
     }
-    auto [options, limits] = resolve(net, built.net, request);
+    auto [options, limits] = resolve(net, built, request);
     std::vector<WorkStage> stages = stages_of(net, options.edges, request.stages);
     PlannedTurns turns{.options = std::move(options),
                        .limits = std::move(limits),

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "net/sliding_nodes.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 /// What the length deviations of a draw stand for.
 struct DrawnLengths {
-    Eigen::VectorXd deviations;     ///< of the edges' own lengths (m_I) [m]
+    Eigen::VectorXd deviations;     ///< of the edges' lengths between their nodes (m_I) [m]
     Eigen::VectorXd own_stiffness;  ///< logarithm of each edge's own factor, (own-stiffness) (m)
 };
 
@@ -56,7 +57,7 @@ double length_of_tension(const StaticsModel& model, int edge, double length, dou
     const TensionLaw* law = net.tension_law(edge);
     const double strain = law == nullptr ? tension / (stiffness * net.axial_stiffness()(edge))
                                          : law->stiffened(stiffness).strain_at(tension);
-    return length / (1.0 + strain) / (1.0 + model.common.thermal_strain(edge, common));
+    return model.common.cold(edge, length / (1.0 + strain), common);
 }
 
 /// Separates the deviations of a draw into blur, (own-stiffness) and (blurred-law), and the edges'
@@ -101,6 +102,7 @@ DrawnLengths separated_lengths(const DrawnPosterior& posterior, const DrawFit& f
         if (slack[edge] && spans(edge) < bound) {
             deviation = slack_deviation(prior, spans(edge), random);
         }
+        deviation += model.common.slip(edge, common);
     }
     return result;
 }
@@ -186,7 +188,7 @@ std::optional<BalancedDraw> balanced_draw(const DrawnPosterior& posterior, const
     } else {
         try {
             ModelPerturbation perturbation = drawn_perturbation(model, drawn, found.own_stiffness);
-            const CableNet as_drawn = net_under(net, perturbation, lengths);
+            const CableNet as_drawn = clamped(net_under(net, perturbation, lengths));
             EquilibriumSolver own_solver(as_drawn);
             if (!balance(own_solver, as_drawn, as_drawn.unstressed_lengths(), drawn.form, result)) {
                 return std::nullopt;

@@ -15,7 +15,7 @@ namespace taut {
 
 /// A draw of the posterior in exact equilibrium.
 struct BalancedDraw {
-    Eigen::VectorXd deviations;  ///< m_I [m]
+    Eigen::VectorXd deviations;  ///< of lengths between nodes, with what slid (m_I) [m]
     Points form;                 ///< 3 x n [m]
     Eigen::VectorXd tensions;    ///< of all edges (m) [N]
     /// What deviates from the net besides lengths, if anything can.

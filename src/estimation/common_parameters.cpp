@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "net/sliding_nodes.hpp"
 #include "net/weight_as_load.hpp"
 
 namespace taut {
@@ -31,6 +32,11 @@ CommonParameters::CommonParameters(const CableNet& net,
         if (is_common(parameter)) {
             m_uncertain.push_back(parameter);
         }
+    }
+    m_slip_std = std_of(uncertain, UncertainParameter::Kind::slip);
+    if (m_slip_std > 0.0) {
+        m_slip_count = static_cast<int>(net.sliding_nodes().size());
+        m_stretch_count = static_cast<int>(sliding_stretches(net).size());
     }
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
@@ -63,6 +69,14 @@ CommonParameters::CommonParameters(const CableNet& net,
     for (int i = 0; i < static_cast<int>(m_released.turned.size()); ++i) {
         const int edge = m_released.turned[i];
         m_thermal(edge, place_of_turned(i)) = m_translation_unit / net.unstressed_lengths()(edge);
+    }
+    if (m_slip_count > 0) {
+        m_slips.setZero(net.edge_count(), count());
+        for (int k = 0; k < m_slip_count; ++k) {
+            const SlidingNode& at = net.sliding_nodes()[k];
+            m_slips(at.before, first_of_slips() + k) -= m_slip_std;
+            m_slips(at.after, first_of_slips() + k) += m_slip_std;
+        }
     }
 }
 
@@ -112,6 +126,14 @@ double CommonParameters::thermal_strain(int edge, const Eigen::VectorXd& values)
     return count() > 0 ? m_thermal.row(edge).dot(values) : 0.0;
 }
 
+Eigen::VectorXd CommonParameters::length_stds(const Eigen::VectorXd& lengths) const {
+    const Eigen::VectorXd thermal = lengths.cwiseProduct(m_thermal.rowwise().norm());
+    return m_slips.size() > 0
+               ? Eigen::VectorXd(
+                     (thermal.cwiseAbs2() + m_slips.rowwise().squaredNorm()).cwiseSqrt())
+               : thermal;
+}
+
 Eigen::VectorXd CommonParameters::cold(const Eigen::VectorXd& lengths,
                                        const Eigen::VectorXd& values) const {
     Eigen::VectorXd result = lengths;
@@ -124,7 +146,7 @@ Eigen::VectorXd CommonParameters::cold(const Eigen::VectorXd& lengths,
 Points CommonParameters::support_motion(const Eigen::VectorXd& values) const {
     Points motion = Points::Zero(3, m_node_count);
     for (size_t k = 0; k < m_motions.size(); ++k) {
-        motion += values(std::ssize(m_uncertain) + static_cast<Eigen::Index>(k)) * m_motions[k];
+        motion += values(first_of_frame() + static_cast<Eigen::Index>(k)) * m_motions[k];
     }
     return motion;
 }

@@ -35,9 +35,9 @@ struct BoundaryReleases {
 
 /// The parameters in the border of the matrix, in their standard deviations: common factors of the
 /// stiffness, temperatures, creep (thermal strains hold both), a factor of the loads and errors of
-/// force measurements; six of the survey's frame, as a small motion of all supports; three of each
-/// released support and one of each released adjustable edge. docs/theory.md, (common), (frame),
-/// (boundary).
+/// force measurements; a slip of each sliding node and a tension of each stretch that slides; six
+/// of the survey's frame, as a small motion of all supports; three of each released support and one
+/// of each released adjustable edge. docs/theory.md, (common), (slips), (frame), (boundary).
 class CommonParameters {
 public:
     CommonParameters() = default;
@@ -49,12 +49,10 @@ public:
                      BoundaryReleases released = {});
 
     [[nodiscard]] int count() const {
-        return static_cast<int>(m_uncertain.size() + m_motions.size() + m_released.turned.size());
+        return first_of_frame() + static_cast<int>(m_motions.size() + m_released.turned.size());
     }
     /// How many are not of the released boundary: these come first.
-    [[nodiscard]] int kept_count() const {
-        return static_cast<int>(m_uncertain.size()) + (m_has_frame ? 6 : 0);
-    }
+    [[nodiscard]] int kept_count() const { return first_of_frame() + (m_has_frame ? 6 : 0); }
     [[nodiscard]] const BoundaryReleases& released() const { return m_released; }
     /// Places of the parameters of a released support (the first of three) and of a released edge,
     /// by their order in released().
@@ -64,6 +62,8 @@ public:
     }
     /// Standard deviation of the parameters of the released boundary [m].
     [[nodiscard]] static double released_unit() { return m_translation_unit; }
+    /// How many are given: these come first of all.
+    [[nodiscard]] int given_count() const { return static_cast<int>(m_uncertain.size()); }
     /// Of the given ones.
     [[nodiscard]] const UncertainParameter& operator[](int k) const { return m_uncertain[k]; }
 
@@ -71,15 +71,34 @@ public:
     [[nodiscard]] double stiffness_factor(int edge, const Eigen::VectorXd& values) const;
     /// Relative change of an edge's unstressed length.
     [[nodiscard]] double thermal_strain(int edge, const Eigen::VectorXd& values) const;
-    /// Length at the reference temperature of an edge of this length.
+    /// Place of the slip of the first sliding node, in the order of CableNet::sliding_nodes().
+    [[nodiscard]] int first_of_slips() const { return given_count(); }
+    /// Place of the tension of the first stretch, in the order of sliding_stretches().
+    [[nodiscard]] int first_of_stretches() const { return first_of_slips() + m_slip_count; }
+    /// Prior standard deviation of a slip [m].
+    [[nodiscard]] double slip_std() const { return m_slip_std; }
+    /// Length that has passed to an edge, at the reference temperature [m].
+    [[nodiscard]] double slip(int edge, const Eigen::VectorXd& values) const {
+        return m_slips.size() > 0 ? m_slips.row(edge).dot(values) : 0.0;
+    }
+    /// Change of that by one standard deviation.
+    [[nodiscard]] double slip_rate(int k, int edge) const {
+        return m_slips.size() > 0 ? m_slips(edge, k) : 0.0;
+    }
+    /// The same of edges, by all parameters (k x count).
+    [[nodiscard]] Eigen::MatrixXd slip_rates(const std::vector<int>& edges) const {
+        return m_slips.size() > 0 ? Eigen::MatrixXd(m_slips(edges, Eigen::all))
+                                  : Eigen::MatrixXd::Zero(std::ssize(edges), count());
+    }
+    /// Length at the reference temperature, before anything slid, of an edge of this length.
     [[nodiscard]] double cold(int edge, double length, const Eigen::VectorXd& values) const {
-        return length / (1.0 + thermal_strain(edge, values));
+        return length / (1.0 + thermal_strain(edge, values)) - slip(edge, values);
     }
     /// Of all edges (m).
     [[nodiscard]] Eigen::VectorXd cold(const Eigen::VectorXd& lengths,
                                        const Eigen::VectorXd& values) const;
-    /// Prior standard deviation of each edge's thermal strain (m).
-    [[nodiscard]] Eigen::VectorXd thermal_stds() const { return m_thermal.rowwise().norm(); }
+    /// Prior standard deviations by thermal strains and slips of edges of these lengths (m) [m].
+    [[nodiscard]] Eigen::VectorXd length_stds(const Eigen::VectorXd& lengths) const;
     /// Change of the loads (3 x n); 3 x 0 where none can change [N].
     [[nodiscard]] Points load_change(const Eigen::VectorXd& values) const;
 
@@ -111,13 +130,13 @@ public:
     [[nodiscard]] const Points& load_rate(int k) const { return m_load_rates[k]; }
     /// Change of a support's place by one standard deviation; 0 for free nodes [m].
     [[nodiscard]] Eigen::Vector3d support_rate(int k, int node) const {
-        const auto motion = k - std::ssize(m_uncertain);
+        const int motion = k - first_of_frame();
         return motion >= 0 && motion < std::ssize(m_motions)
                    ? Eigen::Vector3d(m_motions[motion].col(node))
                    : Eigen::Vector3d::Zero();
     }
     /// Place of the first parameter of the frame: three translations, then three rotations.
-    [[nodiscard]] int first_of_frame() const { return static_cast<int>(m_uncertain.size()); }
+    [[nodiscard]] int first_of_frame() const { return first_of_stretches() + m_stretch_count; }
     /// Centre of the rotations of the frame.
     [[nodiscard]] const Eigen::Vector3d& frame_middle() const { return m_middle; }
     /// Standard deviations of a translation [m] and of a rotation [rad].
@@ -145,8 +164,12 @@ private:
     std::vector<UncertainParameter> m_uncertain;
     BoundaryReleases m_released;
     bool m_has_frame = false;
-    Eigen::MatrixXd m_stiffness;       ///< m x count
-    Eigen::MatrixXd m_thermal;         ///< m x count
+    Eigen::MatrixXd m_stiffness;  ///< m x count
+    Eigen::MatrixXd m_thermal;    ///< m x count
+    Eigen::MatrixXd m_slips;      ///< m x count; empty where nothing slides [m]
+    double m_slip_std = 0.0;
+    int m_slip_count = 0;
+    int m_stretch_count = 0;
     std::vector<Points> m_motions;     ///< six of the frame, or none; three a moved support
     std::vector<Points> m_load_rates;  ///< count, each 3 x n or 3 x 0
     Eigen::Index m_node_count = 0;

@@ -13,9 +13,12 @@ namespace {
 
 constexpr double corner_of_draws = 0.3;  ///< as in fit()
 
-Iterate with_all_taut(const CableNet& net, const Iterate& fitted) {
+Iterate with_all_taut(const CableNet& net, const CommonParameters& common, const Iterate& fitted) {
     const Eigen::VectorXd stretch = edge_lengths(net, net.nodes()) - net.unstressed_lengths();
-    const Eigen::VectorXd spans = edge_lengths(net, fitted.form) - net.unstressed_lengths();
+    Eigen::VectorXd spans = edge_lengths(net, fitted.form) - net.unstressed_lengths();
+    for (int e = 0; e < net.edge_count(); ++e) {
+        spans(e) -= common.slip(e, fitted.common);
+    }
     Iterate result = fitted;
     result.deviations = result.deviations.cwiseMin((spans - stretch)(net.interior_edges()).eval());
     return result;
@@ -30,7 +33,7 @@ DrawnPosterior::DrawnPosterior(const LinearisedFit& fitted, const Observations& 
       knowledge(known),
       seed(seed_of_draws),
       tensile_model(fitted.model()),
-      all_taut(with_all_taut(fitted.model().net(), fitted.iterate)) {
+      all_taut(with_all_taut(fitted.model().net(), fitted.model().common, fitted.iterate)) {
     tensile_model.slack = knowledge.as_seen(std::vector<bool>(net().edge_count(), false));
     tensile_model.corner_width = corner_of_draws * smallest_noise();
     // Fits follow all but the stiffness of each edge.

@@ -242,8 +242,10 @@ std::vector<bool> Assumed::shown_slack(const Iterate& iterate) const {
 }
 
 std::vector<bool> Assumed::measured_slack(double inflation) const {
-    return as_seen(slack_by_survey(problem.net, observations(inflation), knowledge.priors,
-                                   model.common.thermal_stds()));
+    const Observations observed = observations(inflation);
+    return as_seen(
+        slack_by_survey(problem.net, observed, knowledge.priors,
+                        model.common.length_stds(edge_lengths(problem.net, observed.form))));
 }
 
 Iterate Assumed::with_released(Iterate iterate) const {

@@ -77,12 +77,20 @@ void add_pairs(std::vector<Hypothesis>& all, const CableNet& net,
         const auto [s, t] = net.edges()[net.interior_edges()[i]];
         return s == node ? t : s;
     };
+    const auto slides = [&](int i, int j) {
+        return std::ranges::any_of(net.sliding_nodes(), [&](const SlidingNode& one) {
+            return std::minmax(one.before, one.after) == std::minmax(i, j);
+        });
+    };
     for (const int node : net.free_nodes()) {
         for (size_t a = 0; at[node].size() <= most_edges_at_node && a < at[node].size(); ++a) {
             for (size_t b = a + 1; b < at[node].size(); ++b) {
                 const int i = at[node][a];
                 const int j = at[node][b];
                 const double ratio = priors[i].std() / priors[j].std();
+                if (slides(net.interior_edges()[i], net.interior_edges()[j])) {
+                    continue;  // what passes between them is a parameter
+                }
                 if (ratio < alike && alike * ratio > 1.0) {
                     const int run = run_of[net.interior_edges()[i]];
                     all.push_back(

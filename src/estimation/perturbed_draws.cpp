@@ -132,7 +132,8 @@ bool can_be_fitted(const CableNet& net) {
 
 bool can_be_chained(const CableNet& net) {
     constexpr int most_edges = 400;
-    return net.interior_edge_count() <= most_edges && !net.has_struts();
+    return net.interior_edge_count() <= most_edges && !net.has_struts() &&
+           net.sliding_nodes().empty();
 }
 
 PerturbedDraws draw_by_chains(const LinearisedFit& fitted, const Observations& sites,

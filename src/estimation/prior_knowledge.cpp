@@ -5,7 +5,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "net/sliding_nodes.hpp"
+#include "statics/sliding.hpp"
+#include "taut/numerical_error.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+
 namespace taut {
+namespace {
+
+using StretchTension = PriorKnowledge::StretchTension;
+
+/// (slips): tensions of the edges of a stretch differ from that of the stretch by friction alone.
+void observe_stretches(const PriorKnowledge& knowledge, int first, Observations& result) {
+    int place = first;
+    for (const StretchTension& stretch : knowledge.stretches) {
+        for (size_t i = 0; i < stretch.edges.size(); ++i) {
+            const int edge = stretch.edges[i];
+            result.tension(edge) = stretch.shares[i] * stretch.mean;
+            result.tension_weights(edge) = std::pow(stretch.scatter * result.tension(edge), -2);
+            result.tension_bias(edge, place) = -stretch.shares[i] * stretch.unit();
+        }
+        ++place;
+    }
+}
+
+}  // namespace
+
 void observe_force(const ForceMeasurement& force, const std::vector<UncertainParameter>& uncertain,
                    Observations& result) {
     using Kind = UncertainParameter::Kind;
@@ -23,6 +49,56 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
     }
     result.tension_weights(force.edge) =
         1.0 / (force.std * force.std + force.shared_std * force.shared_std);
+}
+
+PriorKnowledge::PriorKnowledge(const CableNet& net, const LengthPrior& prior)
+    : priors(net.interior_edge_count(), prior) {
+    if (net.sliding_nodes().empty()) {
+        return;
+    }
+    constexpr double least = 0.1;     // of the mean tension of the net
+    constexpr double rubbing = 1e-3;  // of the tension, without friction
+    const Equilibrium nominal = solve_equilibrium(net);
+    if (!nominal.balanced()) {
+        throw NumericalError("the net as designed has no equilibrium in which its runs can slide");
+    }
+    const Eigen::VectorXd tension = tensions(net, nominal.unstressed_lengths, nominal.form);
+    for (const std::vector<int>& edges : sliding_stretches(net)) {
+        StretchTension stretch{.edges = edges, .shares = {1.0}};
+        double sum = 0.0;
+        double squares = 0.0;
+        double mean = tension(edges[0]) / static_cast<double>(edges.size());
+        for (const SlidingNode& at : net.sliding_nodes()) {
+            if (at.before != edges[stretch.shares.size() - 1]) {
+                continue;
+            }
+            const double holds = at.most_friction * contact_angle(net.edges(), nominal.form, at);
+            sum += holds;
+            squares += holds * holds;
+            stretch.friction = at.most_friction;
+            stretch.shares.push_back(stretch.shares.back() * at.ratio);
+            mean += tension(at.after) / stretch.shares.back() / static_cast<double>(edges.size());
+        }
+        stretch.mean = std::max(mean, least * nominal.mean_tension);
+        const double by_friction = std::sqrt(std::max(squares / 3.0, sum * sum / 12.0));
+        stretch.scatter = std::hypot(rubbing, by_friction);
+        stretches.push_back(std::move(stretch));
+    }
+}
+
+bool PriorKnowledge::take_up_tensions(const CommonParameters& parameters,
+                                      const Eigen::VectorXd& common) {
+    constexpr double alike = 0.2;
+    constexpr double smallest = 0.1;
+    bool differs = false;
+    int place = parameters.first_of_stretches();
+    for (StretchTension& stretch : stretches) {
+        const double found =
+            std::max(smallest * stretch.mean, stretch.mean + stretch.unit() * common(place++));
+        differs = differs || std::abs(found - stretch.mean) > alike * stretch.mean;
+        stretch.mean = found;
+    }
+    return differs;
 }
 
 double PriorKnowledge::length_std() const {
@@ -114,6 +190,12 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
     result.set_evidence(knowledge.evidence);
     for (const ForceMeasurement& force : knowledge.forces.measurements) {
         observe_force(force, knowledge.uncertain, result);
+    }
+    if (std_of(knowledge.uncertain, UncertainParameter::Kind::slip) > 0.0) {
+        const auto given = std::ranges::count_if(knowledge.uncertain, is_common);
+        observe_stretches(knowledge,
+                          static_cast<int>(given) + static_cast<int>(net.sliding_nodes().size()),
+                          result);
     }
     return result;
 }

@@ -22,11 +22,26 @@ struct PriorKnowledge {
     bool frame_is_unknown = false;                   ///< of the survey
     Points test_loads = Points(3, 0);                ///< of the survey, in the net's loads [N]
     std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: none
+    /// Tension of a stretch that slides, (slips).
+    struct StretchTension {
+        std::vector<int> edges;
+        std::vector<double> shares;  ///< tension of each edge in the middle, in that of the stretch
+        double mean = 0.0;           ///< [N]
+        double friction = 0.0;       ///< largest coefficient
+        double scatter = 0.0;  ///< standard deviation of the tension of each edge, as a part of it
 
-    /// One prior for all lengths, and nothing else.
-    PriorKnowledge(const CableNet& net, const LengthPrior& prior)
-        : priors(net.interior_edge_count(), prior) {}
+        /// Standard deviation of the tension: so wide that nothing is assumed of it [N].
+        [[nodiscard]] double unit() const { return 3.0 * mean; }
+    };
+    std::vector<StretchTension> stretches = {};  ///< in the order of sliding_stretches()
 
+    /// One prior for all lengths, and nothing else but where runs slide.
+    PriorKnowledge(const CableNet& net, const LengthPrior& prior);
+
+    /// Takes the tensions of stretches that a fit found as those that friction is a part of.
+    /// @param common its common parameters' values
+    /// @return whether any differs by more than a fifth, so that the fit is not one under them
+    bool take_up_tensions(const CommonParameters& parameters, const Eigen::VectorXd& common);
     /// Root mean square of the priors' standard deviations [m].
     [[nodiscard]] double length_std() const;
     /// Corrects which edges (m) are assumed slack: by the marks, and by force measurements more

@@ -58,13 +58,13 @@ std::vector<bool> slack_by_lengths(const CableNet& net, const Eigen::VectorXd& l
 
 std::vector<bool> slack_by_survey(const CableNet& net, const Observations& observations,
                                   const std::vector<LengthPrior>& priors,
-                                  const Eigen::VectorXd& thermal_stds) {
+                                  const Eigen::VectorXd& length_stds) {
     const Eigen::VectorXd measured = edge_lengths(net, observations.form);
     const Eigen::VectorXd shortest = shortest_taut(net, priors);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const double thermal = thermal_stds.size() > 0 ? thermal_stds(e) * measured(e) : 0.0;
-        const double std = std::hypot(measured_std(net, observations, e), thermal);
+        const double common = length_stds.size() > 0 ? length_stds(e) : 0.0;
+        const double std = std::hypot(measured_std(net, observations, e), common);
         slack[e] = net.can_be_slack(e) && measured(e) + reach * std < shortest(e);
     }
     return slack;

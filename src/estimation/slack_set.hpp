@@ -21,11 +21,12 @@ namespace taut {
 
 /// Edges (m) measured shorter than they can be while taut, by more than three standard deviations
 /// of the measurement. docs/theory.md, (slack-survey)
-/// @param thermal_stds standard deviation of each edge's thermal strain (m); empty: known
+/// @param length_stds standard deviation of each length by what edges have in common (m); empty:
+///   known [m]
 [[nodiscard]] std::vector<bool> slack_by_survey(const CableNet& net,
                                                 const Observations& observations,
                                                 const std::vector<LengthPrior>& priors,
-                                                const Eigen::VectorXd& thermal_stds = {});
+                                                const Eigen::VectorXd& length_stds = {});
 
 /// The slack edges (m) of which both ends were measured.
 [[nodiscard]] std::vector<bool> where_measured(const CableNet& net,

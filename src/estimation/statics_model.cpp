@@ -64,7 +64,8 @@ StaticsModel::StaticsModel(const CableNet& net, const std::vector<UncertainParam
 double StaticsModel::unstressed_length(int edge, const Iterate& iterate) const {
     const int i = m_numbering->interior_of[edge];
     const double cold = m_net->unstressed_lengths()(edge) + (i >= 0 ? iterate.deviations(i) : 0.0);
-    return cold * (1.0 + common.thermal_strain(edge, iterate.common));
+    return (cold + common.slip(edge, iterate.common)) *
+           (1.0 + common.thermal_strain(edge, iterate.common));
 }
 
 /// The tension law, blurred or fixed, at a strain; without factors of uncertain parameters.
@@ -130,7 +131,8 @@ EdgeVariation StaticsModel::common_variation(int edge, int k, const Iterate& ite
     const double heated = 1.0 + common.thermal_strain(edge, iterate.common);
     EdgeVariation result{.stiffness = common.stiffness_rate(k, edge),
                          .length = unstressed_length(edge, iterate) * common.thermal_rate(k, edge) /
-                                   (heated * heated),
+                                       (heated * heated) +
+                                   common.slip_rate(k, edge),
                          .sag = common.sag_rate(k)};
     if (!are_supports_uncertain()) {
         // (frame): of known supports; uncertain ones carry the motion in their own places.

@@ -6,28 +6,35 @@
 #include <cmath>
 #include <iterator>
 
+#include "identification/stretch_lengths.hpp"
 #include "taut/estimation/length_posterior.hpp"
 
 namespace taut {
 namespace {
 
-/// The rows of the gains for these edges.
-Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
+/// The rows of the gains for these edges, of their lengths as marked.
+Eigen::MatrixXd gains_of(const std::vector<int>& edges, const StaticsModel& model,
                          const LengthTrend& trend) {
     std::vector<Eigen::Index> rows(edges.size());
-    std::ranges::transform(edges, rows.begin(), [&](int edge) {
-        return std::ranges::lower_bound(fit_net.interior_edges(), edge) -
-               fit_net.interior_edges().begin();
-    });
+    std::ranges::transform(edges, rows.begin(),
+                           [&](int edge) { return model.numbering().interior_of[edge]; });
     return trend.length_gains(rows, Eigen::all);
+}
+
+/// The same with what slides.
+Eigen::MatrixXd gains_between_nodes(const std::vector<int>& edges, const StaticsModel& model,
+                                    const LengthTrend& trend) {
+    return gains_of(edges, model, trend) + model.common.slip_rates(edges) * trend.common_gains;
 }
 
 }  // namespace
 
-void take_up_trend(Identification& result, const LengthTrend& trend, const CableNet& fit_net) {
+void take_up_trend(Identification& result, const LengthTrend& trend,
+                   const PriorKnowledge& knowledge, const LinearisedFit& fitted) {
+    const StaticsModel& model = fitted.model();
     std::vector<int> edges;
     std::ranges::transform(result.edges, std::back_inserter(edges), &IdentifiedEdge::edge);
-    const Eigen::MatrixXd gains = gains_of(edges, fit_net, trend);
+    const Eigen::MatrixXd gains = gains_between_nodes(edges, model, trend);
     const Eigen::VectorXd shifts = gains * trend.mean;
     const Eigen::VectorXd stds = (gains * trend.root).rowwise().norm();
     for (size_t i = 0; i < result.edges.size(); ++i) {
@@ -43,28 +50,44 @@ void take_up_trend(Identification& result, const LengthTrend& trend, const Cable
         edge.lower = edge.length_deviation - wider * (before - edge.lower);
         edge.upper = edge.length_deviation + wider * (edge.upper - before);
         edge.std = std;
-        edge.status = status_of(result.length_prior.std(), {.std = std, .slack_probability = 0.0});
+        edge.status = status_of(std_before(result, edge.edge, result.length_prior.std()),
+                                {.std = std, .slack_probability = 0.0});
     }
-    Eigen::Index common = 0;
+    int common = 0;
+    int slip = model.common.first_of_slips();
     for (ParameterEstimate& one : result.uncertain) {
         Eigen::RowVectorXd gain = Eigen::RowVectorXd::Zero(trend.mean.size());
         if (one.edge < 0 && one.node < 0) {
             gain = one.parameter.std * trend.common_gains.row(common++);
         } else if (one.parameter.kind == UncertainParameter::Kind::adjustable) {
-            gain = gains_of({one.edge}, fit_net, trend);
+            gain = gains_of({one.edge}, model, trend);
             one.prior_std = std::hypot(one.prior_std, trend.adjustable_std);
+        } else if (one.parameter.kind == UncertainParameter::Kind::slip) {
+            gain = one.parameter.std * trend.common_gains.row(slip++);
         }
         one.mean += gain * trend.mean;
         one.std = std::hypot(one.std, (gain * trend.root).norm());
     }
+    for (size_t k = 0; k < result.stretches.size(); ++k) {
+        StretchLength& one = result.stretches[k];
+        const Eigen::RowVectorXd gain = gains_of(one.edges, model, trend).colwise().sum();
+        one.std = std::hypot(one.std, (gain * trend.root).norm());
+        const Eigen::RowVectorXd of_tension =
+            knowledge.stretches[k].unit() *
+            trend.common_gains.row(model.common.first_of_stretches() + static_cast<int>(k));
+        one.tension_std = std::hypot(one.tension_std, (of_tension * trend.root).norm());
+    }
 }
 
-LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fit_net,
-                               const Linearisation& linearisation, const LengthTrend& trend,
+LengthCovariance covariance_of(const std::vector<int>& edges, const LinearisedFit& fitted,
+                               const Observations& sites, const LengthTrend& trend,
                                const Identification& result) {
-    Eigen::MatrixXd linearised = linearisation.length_covariance(edges);
+    Eigen::MatrixXd linearised = result.stretches.empty()
+                                     ? fitted.linearisation.length_covariance(edges)
+                                     : covariance_between_nodes(fitted, sites, edges);
     if (!trend.empty()) {
-        const Eigen::MatrixXd common = gains_of(edges, fit_net, trend) * trend.root;
+        const Eigen::MatrixXd common =
+            gains_between_nodes(edges, fitted.model(), trend) * trend.root;
         linearised += common * common.transpose();
     }
     Eigen::VectorXd scale(edges.size());

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "net/sliding_nodes.hpp"
 #include "taut/net/units.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -62,7 +63,8 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
             return;
         }
     }
-    const auto balance = [&](const CableNet& identified, const Eigen::VectorXd& l_0) {
+    const auto balance = [&](const CableNet& free, const Eigen::VectorXd& l_0) {
+        const CableNet identified = clamped(free);  // lengths are those after sliding
         result.predicted = EquilibriumSolver(identified).solve(l_0, start);
         // Lengths that leave the net nearly slack: nodes are loose, and the forces left there are
         // negligible.

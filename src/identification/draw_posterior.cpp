@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "estimation/perturbed_draws.hpp"
+#include "identification/stretch_lengths.hpp"
 #include "taut/estimation/length_posterior.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -212,8 +213,13 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
                                     by_fits, progress);
     };
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
+    const Eigen::VectorXd slid = fit_net.unstressed_lengths() - net.unstressed_lengths();
+    const auto of_edges = [&](const std::vector<int>& edges,
+                              const Eigen::MatrixXd& deviations) -> Eigen::MatrixXd {
+        return deviations(edges, Eigen::all).colwise() + slid(edges);
+    };
     const auto interior = [&](const Eigen::MatrixXd& deviations) -> Eigen::MatrixXd {
-        return has_all_lengths ? deviations(net.interior_edges(), Eigen::all) : deviations;
+        return has_all_lengths ? of_edges(net.interior_edges(), deviations) : deviations;
     };
     PerturbedDraws drawn = draw(false);
     std::string reason = why_unreliable(drawn, interior(drawn.deviations), result, net);
@@ -239,9 +245,15 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
                          .is_refitted = drawn.is_refitted,
                          .reason = std::move(reason)};
     if (has_all_lengths) {
-        draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
+        draws.adjustable_deviations = of_edges(net.adjustable_edges(), drawn.deviations);
     }
-    const std::vector<LengthPrior> priors = interior_priors(net, knowledge);
+    std::vector<LengthPrior> priors = interior_priors(net, knowledge);
+    for (size_t i = 0; i < priors.size() && !result.stretches.empty(); ++i) {
+        const double before = std_before(result, net.interior_edges()[i], priors[i].std());
+        if (before != priors[i].std()) {
+            priors[i] = {LengthPrior::Kind::normal, before};
+        }
+    }
     const bool is_reliable = draws.reason.empty() && draws.count() > 0;
     result.draws = std::move(draws);
     if (!is_reliable) {
@@ -264,8 +276,11 @@ void set_summary_of_draws(Identification& result, const CableNet& net, const Sur
                           double prior_std) {
     result.drawn = {};
     if (result.draws->reason.empty() && result.draws->count() > 0) {
-        summarise(result, net, survey,
-                  Eigen::VectorXd::Constant(std::ssize(result.edges), prior_std));
+        Eigen::VectorXd before(std::ssize(result.edges));
+        std::ranges::transform(result.edges, before.begin(), [&](const IdentifiedEdge& one) {
+            return std_before(result, one.edge, prior_std);
+        });
+        summarise(result, net, survey, before);
     } else {
         result.form_covariance.clear();
     }

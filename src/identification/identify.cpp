@@ -21,11 +21,12 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     const LengthPrior prior =
         options.prior.value_or(options.model != nullptr ? options.model->prior : LengthPrior());
     const auto [method, reason] = checked_method(net, survey, prior, options);
-    const double noise_scale =
-        options.estimate_noise ? noise_scale_of(net, survey, prior, options, progress) : 1.0;
-    const Survey scaled = with_noise_times(survey, noise_scale);
+    std::vector<UncertainParameter> assumed = with_slips(net, options.uncertain);
     IdentifyOptions used = options;
-    std::vector<UncertainParameter> assumed = options.uncertain;
+    used.uncertain = assumed;
+    const double noise_scale =
+        options.estimate_noise ? noise_scale_of(net, survey, prior, used, progress) : 1.0;
+    const Survey scaled = with_noise_times(survey, noise_scale);
     if (options.assume_site && method == IdentificationMethod::map && survey.is_noisy()) {
         assumed = with_site_assumptions(net, options.uncertain, measured_by(options.forces));
         used.uncertain = with_uncertain_widths(assumed, options.uncertain);

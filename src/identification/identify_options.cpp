@@ -20,12 +20,23 @@ constexpr std::array methods{IdentificationMethod::balance, IdentificationMethod
                              IdentificationMethod::gp};
 
 /// The method asked for, or the one that suits the input.
-MethodChoice choose_method(const Survey& survey, const IdentifyOptions& options) {
+MethodChoice choose_method(const CableNet& net, const Survey& survey,
+                           const IdentifyOptions& options) {
+    const bool slides = !net.sliding_nodes().empty();
+    if (slides && options.method.value_or(IdentificationMethod::map) != IdentificationMethod::map) {
+        throw std::invalid_argument(fmt::format(
+            "the method {} takes each edge as clamped at its nodes, but runs of the net "
+            "slide: expected the method map",
+            to_string(*options.method)));
+    }
     if (options.method) {
         return {.method = *options.method, .reason = "this method was asked for"};
     }
     if (options.model != nullptr) {
         return {.method = IdentificationMethod::gp, .reason = "a model is given"};
+    }
+    if (slides) {
+        return {.method = IdentificationMethod::map, .reason = "runs of the net slide"};
     }
     if (!survey.is_whole()) {
         return {.method = IdentificationMethod::map,
@@ -97,6 +108,20 @@ void check_covariance_of(const CableNet& net, const std::vector<int>& edges) {
         if (!seen.insert(edge).second) {
             throw std::invalid_argument(
                 fmt::format("covariances of lengths: edge {} is named twice", edge));
+        }
+    }
+}
+
+/// Of a stretch that slides the tension is a parameter, which no measurement of one edge tests.
+void check_forces_on_runs(const CableNet& net, const Forces& forces) {
+    for (const ForceMeasurement& one : forces.measurements) {
+        for (const SlidingNode& at : net.sliding_nodes()) {
+            if (one.edge == at.before || one.edge == at.after) {
+                throw std::invalid_argument(
+                    fmt::format("the force measurement of edge '{}', which slides, cannot be used "
+                                "yet: measure an edge that is clamped at both ends",
+                                net.edge_id(one.edge)));
+            }
         }
     }
 }
@@ -185,9 +210,10 @@ MethodChoice checked_method(const CableNet& net, const Survey& survey, const Len
     check_prior(net, prior);
     check_draws(net, options.draws);
     check_survey(net, survey);
-    MethodChoice choice = choose_method(survey, options);
+    MethodChoice choice = choose_method(net, survey, options);
     check_survey_for(net, survey, choice.method);
     check_forces(net, options.forces);
+    check_forces_on_runs(net, options.forces);
     (void)force_unit_warning(net, options.forces.measurements);
     check_for_one_survey(net, options.uncertain);
     check_covariance_of(net, options.covariance_of);

@@ -28,6 +28,7 @@
 #include "identification/fit_diagnostics.hpp"
 #include "identification/parameter_estimates.hpp"
 #include "identification/slack_marks.hpp"
+#include "identification/stretch_lengths.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -118,7 +119,7 @@ void leave_out_released(Identification& result) {
 /// (marginal-mode), where so many edges make a difference.
 void move_to_marginal_mode(SurveyFit& fit, const SurveyFitSettings& settings) {
     const StaticsModel model = fit.at.model();
-    const int count = model.common.kept_count() - (model.common.has_frame() ? 6 : 0);
+    const int count = model.common.given_count();
     if (model.net().interior_edge_count() < fewest_for_marginal_mode || count == 0) {
         return;
     }
@@ -132,6 +133,8 @@ void move_to_marginal_mode(SurveyFit& fit, const SurveyFitSettings& settings) {
     }
 }
 
+constexpr int most_refits = 5;  ///< until friction is a part of the tensions found, (slips)
+
 /// @param common_count of the evidence of the survey alone, with this number of common parameters;
 ///   empty: no evidence is wanted
 IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const Given& given,
@@ -141,7 +144,8 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     check_uncertain_parameters(net, given.uncertain);
     IdentifiedEpoch epoch;
     Identification& result = epoch.identification;
-    const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence;
+    const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence &&
+                              net.sliding_nodes().empty();
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
         result = identify_by_exact_balance(net, survey, given.prior);
         result.method = "map";
@@ -158,6 +162,12 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     fitting.progress = {.report = {}, .stop_requested = progress.stop_requested};
     MarkedFit marked =
         fit_with_marks(fit_net, survey, all, fitting);  // (map), (slack-form), (snooping)
+    for (int again = 0;
+         again < most_refits && !all.stretches.empty() && marked.fit.converged &&
+         all.take_up_tensions(marked.fit.at.model().common, marked.fit.at.iterate.common);
+         ++again) {
+        marked = fit_with_marks(fit_net, survey, all, fitting);
+    }
     SurveyFit& fit = marked.fit;
     const PriorKnowledge& knowledge = fit.knowledge;
     LoadCheck loads;
@@ -214,8 +224,9 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     }
     result.uncertain = parameter_estimates(net, knowledge, fitted, observations);
     leave_out_released(result);
+    take_up_slips(result, net, knowledge, fitted, observations);
     if (!trend.empty()) {
-        take_up_trend(result, trend, fit_net);
+        take_up_trend(result, trend, knowledge, fitted);
         observations.mean_root = trend.columns * trend.prior_stds.asDiagonal();
         observations.shown_mean = trend.mean.cwiseQuotient(trend.prior_stds);
         observations.shown_root = trend.prior_stds.cwiseInverse().asDiagonal() * trend.root;
@@ -232,9 +243,10 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     if (!wanted.covariance_of.empty() && fit.converged) {
         // After the draws, which may widen the standard deviations.
         result.length_covariance =
-            covariance_of(wanted.covariance_of, fit_net, fitted.linearisation, trend, result);
+            covariance_of(wanted.covariance_of, fitted, observations, trend, result);
     }
     predict_form(result, net, survey, fitted.iterate.form);
+    set_stretch_means(result, net);
     result.method = "map";
     return epoch;
 }

@@ -150,7 +150,7 @@ std::string_view to_string(KernelMetric metric) {
 
 LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
                   const TrainingSettings& settings, const Progress& progress) {
-    refuse_sliding(net);
+    refuse_sliding(net, "training");
     check(net, data, samples);
     require_same_samples(data, samples);
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);

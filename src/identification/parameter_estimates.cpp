@@ -13,6 +13,7 @@
 #include "estimation/hypotheses.hpp"
 #include "net/weight_as_load.hpp"
 #include "taut/estimation/edge_status.hpp"
+#include "taut/statics/equilibrium.hpp"
 
 namespace taut {
 namespace {
@@ -77,6 +78,9 @@ public:
                 case Kind::support_stiffness:
                     add_common(parameter, common++);
                     break;
+                case Kind::slip:
+                    add_slips(parameter);
+                    break;
                 case Kind::stiffness_each:
                     add_own_stiffness(parameter);
                     break;
@@ -104,6 +108,27 @@ private:
                             .mean = parameter.std * m_fitted.common(k),
                             .std = std_or(parameter.std * parameter.std * m_covariance.common(k, k),
                                           parameter.std)});
+    }
+
+    /// From the lengths as marked, those of the net, on: the net to fit has those that have slid in
+    /// the design.
+    void add_slips(const UncertainParameter& parameter) {
+        const Eigen::VectorXd designed =
+            m_model.net().unstressed_lengths() - m_net.unstressed_lengths();
+        const int first = m_model.common.first_of_slips();
+        int last = -1;
+        double slip = 0.0;
+        for (int k = 0; k < std::ssize(m_net.sliding_nodes()); ++k) {
+            const SlidingNode& at = m_net.sliding_nodes()[k];
+            slip = (at.before == last ? slip : 0.0) - designed(at.before);
+            last = at.after;
+            m_result.push_back({.parameter = parameter,
+                                .edge = at.after,
+                                .mean = slip + parameter.std * m_fitted.common(first + k),
+                                .std = std_or(parameter.std * parameter.std *
+                                                  m_covariance.common(first + k, first + k),
+                                              parameter.std)});
+        }
     }
 
     /// The share of an edge's deviation by a part of its prior variance.
@@ -268,12 +293,14 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
             return one.parameter != first->parameter;
         });
         const auto [given, expected] = variances_of({first, last});
-        result.push_back({.parameter = first->parameter,
-                          .ratio = spread_ratio({first, last}),
-                          .shown = static_cast<double>(last - first) * expected / given,
-                          .widening = first->parameter.kind == Kind::creep
-                                          ? 1.0  // a walk: its steps are as wide as all of it
-                                          : first->prior_std / first->parameter.std});
+        result.push_back(
+            {.parameter = first->parameter,
+             // slips are counted from the marks, and nothing is assumed of them
+             .ratio = first->parameter.kind == Kind::slip ? 0.0 : spread_ratio({first, last}),
+             .shown = static_cast<double>(last - first) * expected / given,
+             .widening = first->parameter.kind == Kind::creep
+                             ? 1.0  // a walk: its steps are as wide as all of it
+                             : first->prior_std / first->parameter.std});
         first = last;
     }
     return result;
@@ -335,11 +362,22 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 result.supports(estimate.axis, estimate.node) = mean;
                 break;
             case Kind::adjustable:
-                result.adjustable(estimate.edge) = mean;
+                result.adjustable(estimate.edge) += mean;
                 break;
             case Kind::support_stiffness:
                 result.support_stiffness = mean;
                 break;
+            case Kind::slip: {
+                // Estimates of interior edges hold what slid to them.
+                const auto at =
+                    std::ranges::find(net.sliding_nodes(), estimate.edge, &SlidingNode::after);
+                for (const auto& [edge, sign] : {std::pair(at->before, -1.0), {at->after, 1.0}}) {
+                    if (std::ranges::binary_search(net.adjustable_edges(), edge)) {
+                        result.adjustable(edge) += sign * mean;
+                    }
+                }
+                break;
+            }
             case Kind::loads:
                 result.loads = mean;
                 break;
@@ -359,12 +397,14 @@ ModelPerturbation perturbation_of(const CableNet& net,
 }
 
 CableNet net_to_fit(const CableNet& net, const std::vector<UncertainParameter>& uncertain) {
-    const bool needs_all_lengths =
-        std_of(uncertain, Kind::adjustable) > 0.0 || std_of(uncertain, Kind::stiffness_each) > 0.0;
-    if (!needs_all_lengths) {
+    const bool slides = !net.sliding_nodes().empty();
+    if (!slides && !(std_of(uncertain, Kind::adjustable) > 0.0) &&
+        !(std_of(uncertain, Kind::stiffness_each) > 0.0)) {
         return net;
     }
-    CableNetData data = net.data();
+    CableNetData data =
+        slides ? with_lengths_of_same_weight(net, solve_equilibrium(net).unstressed_lengths)
+               : net.data();
     data.adjustable.clear();
     data.thread.clear();
     return CableNet(std::move(data));

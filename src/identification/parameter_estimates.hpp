@@ -12,9 +12,10 @@
 
 namespace taut {
 
-/// The net with all lengths to be identified, where those of adjustable edges are uncertain, or
-/// where each edge has a stiffness of its own, which acts as a length; else the net itself.
-/// docs/theory.md, (uncertain-parameters).
+/// The net with all lengths to be identified, where those of adjustable edges are uncertain, each
+/// edge has a stiffness of its own, which acts as a length, or runs slide; else the net itself.
+/// Where runs slide, with the lengths that have slid. docs/theory.md, (uncertain-parameters),
+/// (slips).
 [[nodiscard]] CableNet net_to_fit(const CableNet& net,
                                   const std::vector<UncertainParameter>& uncertain);
 

@@ -9,6 +9,7 @@
 #include "estimation/observations.hpp"
 #include "identification/parameter_estimates.hpp"
 #include "numerics/dense.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -34,6 +35,7 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
             "the net has no interior edge: all unstressed lengths are known");
     }
     prior.check();
+    refuse_sliding(net, "a prediction of a survey");
     check_survey(net, survey);
     check_forces(net, forces);
     check_for_one_survey(net, uncertain);

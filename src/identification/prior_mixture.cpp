@@ -12,6 +12,7 @@
 
 #include "identification/completion.hpp"
 #include "identification/draw_posterior.hpp"
+#include "identification/stretch_lengths.hpp"
 #include "taut/estimation/length_posterior.hpp"
 
 namespace taut {
@@ -77,8 +78,8 @@ IdentifiedEdge mixed_edge(const std::vector<WeightedIdentification>& parts, size
     });
     edge.lower = std::clamp(quantile_of(ends, 0.025), lowest, edge.length_deviation);
     edge.upper = std::clamp(quantile_of(ends, 0.975), edge.length_deviation, highest);
-    edge.status =
-        status_of(prior_std, {.std = edge.std, .slack_probability = is_open ? 0.0 : slack});
+    edge.status = status_of(std_before(parts.front().result, edge.edge, prior_std),
+                            {.std = edge.std, .slack_probability = is_open ? 0.0 : slack});
     return edge;
 }
 
@@ -291,6 +292,17 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
                 return std::pair(part.uncertain[k].mean, part.uncertain[k].std);
             });
     }
+    for (size_t k = 0; k < result.stretches.size(); ++k) {
+        const auto std_of = [&](const auto& of_stretch) {
+            return mixed(parts,
+                         [&](const Identification& part) { return of_stretch(part.stretches[k]); })
+                .second;
+        };
+        result.stretches[k].std = std_of(
+            [](const StretchLength& one) { return std::pair(one.length_deviation, one.std); });
+        result.stretches[k].tension_std = std_of(
+            [](const StretchLength& one) { return std::pair(one.tension, one.tension_std); });
+    }
     if (result.frame_offset) {
         result.frame_offset = mixed_frame(parts);
     }
@@ -304,6 +316,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     }
     const Points start = result.predicted.form;
     predict_form(result, net, survey, start);
+    set_stretch_means(result, net);
     return result;
 }
 

@@ -209,10 +209,13 @@ std::vector<CableRun> read_runs(const std::optional<JsonValue>& list) {
         const auto name = run.find("name");
         const auto slides_at = run.find("slides_at");
         const auto friction = run.find("friction");
+        const auto given = run.find("ratios");
+        const Eigen::VectorXd ratios = given ? read_numbers(*given) : Eigen::VectorXd();
         runs[k] = {.name = name ? name->text() : "",
                    .edges = read_indices(run.require("edges", "an array of edges")),
                    .slides_at = slides_at ? read_indices(*slides_at) : std::vector<int>(),
-                   .friction = friction ? friction->number() : 0.0};
+                   .friction = friction ? std::optional(friction->number()) : std::nullopt,
+                   .ratios = {ratios.begin(), ratios.end()}};
     }
     return runs;
 }

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -102,11 +104,17 @@ std::string groups_text(const std::map<std::string, std::vector<int>>& groups) {
 
 std::string runs_text(const std::vector<CableRun>& runs) {
     return one_a_line(static_cast<Eigen::Index>(runs.size()), [&runs](Eigen::Index k) {
-        const auto& [name, edges, slides_at, friction] = runs[static_cast<size_t>(k)];
-        const std::string sliding =
-            slides_at.empty() ? ""
-                              : fmt::format(R"(, "slides_at": {}, "friction": {})",
-                                            indices_text(slides_at), number_text(friction));
+        const auto& [name, edges, slides_at, friction, ratios] = runs[static_cast<size_t>(k)];
+        std::string sliding =
+            slides_at.empty() ? "" : fmt::format(", \"slides_at\": {}", indices_text(slides_at));
+        if (friction) {
+            sliding += fmt::format(", \"friction\": {}", number_text(*friction));
+        }
+        if (!ratios.empty()) {
+            std::vector<std::string> numbers(ratios.size());
+            std::ranges::transform(ratios, numbers.begin(), number_text);
+            sliding += fmt::format(", \"ratios\": [{}]", fmt::join(numbers, ", "));
+        }
         return fmt::format("{{{}\"edges\": {}{}}}",
                            name.empty() ? "" : fmt::format("\"name\": {}, ", text_text(name)),
                            indices_text(edges), sliding);

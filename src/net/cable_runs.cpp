@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "taut/net/cable_runs.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 #include <span>
@@ -60,23 +62,52 @@ std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges, const 
         for (const int node : edges[run.edges[i]]) {
             if (std::ranges::find(after, node) != after.end() &&
                 std::ranges::find(run.slides_at, node) != run.slides_at.end()) {
-                result.push_back({.node = node,
-                                  .before = run.edges[i],
-                                  .after = run.edges[i + 1],
-                                  .friction = run.friction});
+                const bool has_ratio = result.size() < run.ratios.size();
+                result.push_back(
+                    {.node = node,
+                     .before = run.edges[i],
+                     .after = run.edges[i + 1],
+                     .friction = run.friction.value_or(0.0),
+                     .ratio = has_ratio ? run.ratios[result.size()] : 1.0,
+                     .most_friction = run.friction.value_or(CableRun::likely_friction) +
+                                      CableRun::uncertain_friction});
             }
         }
     }
     return result;
 }
 
-void refuse_sliding(const CableNet& net) {
+std::vector<std::vector<int>> sliding_stretches(const CableNet& net) {
+    std::vector<std::vector<int>> result;
+    for (const SlidingNode& at : net.sliding_nodes()) {
+        if (result.empty() || result.back().back() != at.before) {
+            result.push_back({at.before});
+        }
+        result.back().push_back(at.after);
+    }
+    return result;
+}
+
+CableNet clamped(const CableNet& net) {
+    if (net.sliding_nodes().empty()) {
+        return net;
+    }
+    CableNetData data = net.data();
+    for (CableRun& run : data.runs) {
+        run.slides_at.clear();
+        run.ratios.clear();
+    }
+    return CableNet(std::move(data));
+}
+
+void refuse_sliding(const CableNet& net, std::string_view what) {
     const std::vector<CableRun>& runs = net.data().runs;
     for (int k = 0; k < std::ssize(runs); ++k) {
         if (!runs[k].slides_at.empty()) {
             throw NetError("runs", {k},
-                           "slides at its nodes: lengths of such a net are not identified yet, nor "
-                           "is a model trained. Without slides_at its edges are taken as clamped");
+                           fmt::format("slides at its nodes, and {} takes no account of that yet. "
+                                       "Without slides_at its edges are taken as clamped",
+                                       what));
         }
     }
 }

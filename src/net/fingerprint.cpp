@@ -42,7 +42,10 @@ std::string compute_fingerprint(const CableNetData& data) {
         if (!run.slides_at.empty()) {
             hash.add_list(run.edges);
             hash.add_list(run.slides_at);
-            hash.add_list(std::array{run.friction});
+            hash.add_list(std::array{run.friction.value_or(-1.0)});
+            if (!run.ratios.empty()) {
+                hash.add_list(run.ratios);
+            }
         }
     }
     return hash.text();

@@ -12,4 +12,10 @@ namespace taut {
 [[nodiscard]] std::vector<SlidingNode> sliding_nodes_of(const std::vector<Edge>& edges,
                                                         const CableRun& run);
 
+/// Edges of each stretch of cable that slides, from one clamp to the next, edge by edge.
+[[nodiscard]] std::vector<std::vector<int>> sliding_stretches(const CableNet& net);
+
+/// The same net, with its runs clamped where they are.
+[[nodiscard]] CableNet clamped(const CableNet& net);
+
 }  // namespace taut

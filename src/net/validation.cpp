@@ -257,9 +257,10 @@ void check_groups(const CableNetData& data) {
 }
 
 void check_runs(const CableNetData& data) {
+    constexpr double least_ratio = 0.01;
     std::vector<bool> taken(data.edges.size(), false);
     for (int k = 0; k < std::ssize(data.runs); ++k) {
-        const auto& [name, edges, slides_at, friction] = data.runs[k];
+        const auto& [name, edges, slides_at, friction, ratios] = data.runs[k];
         if (has_line_break(name)) {
             throw NetError("runs", {k},
                            "holds a name with a line break or a zero byte, expected one line");
@@ -280,9 +281,9 @@ void check_runs(const CableNetData& data) {
             }
             taken[edge] = true;
         }
-        if (!(friction >= 0.0 && friction <= 10.0)) {
+        if (const double given = friction.value_or(0.0); !(given >= 0.0 && given <= 10.0)) {
             throw NetError("runs", {k},
-                           fmt::format("friction is {}, expected a number of 0 to 10", friction));
+                           fmt::format("friction is {}, expected a number of 0 to 10", given));
         }
         if (slides_at.empty()) {
             continue;
@@ -300,6 +301,18 @@ void check_runs(const CableNetData& data) {
                            fmt::format("slides_at[{}]: {}", error.index()[0], error.problem()));
         }
         const std::vector<SlidingNode> sliding = sliding_nodes_of(data.edges, data.runs[k]);
+        if (!ratios.empty() && ratios.size() != sliding.size()) {
+            throw NetError("runs", {k},
+                           fmt::format("has {} ratios, expected {}, one a node where it slides",
+                                       ratios.size(), sliding.size()));
+        }
+        for (const double ratio : ratios) {
+            if (!(ratio >= least_ratio && ratio <= 1.0 / least_ratio)) {
+                throw NetError("runs", {k},
+                               fmt::format("holds the ratio {}, expected one of {} to {}", ratio,
+                                           least_ratio, 1.0 / least_ratio));
+            }
+        }
         for (size_t i = 0; i + 1 < sliding.size(); ++i) {
             if (sliding[i].after == sliding[i + 1].before &&
                 sliding[i].node == sliding[i + 1].node) {

@@ -25,13 +25,10 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
     try {
         const CableNet turned = turned_net(net, result->turned);
         IdentifiedNet identified{
-            .built = {.net = net_as_identified(turned, result->edges, result->uncertain,
-                                               result->boundary_outliers),
-                      .length_draws = {},
-                      .perturbations = {},
-                      .no_draws_because = {},
-                      .failed_because = failure_of(result->trust)},
+            .built = net_as_identified(turned, result->edges, result->uncertain,
+                                       result->boundary_outliers),
             .trust = result->trust};
+        identified.built.failed_because = failure_of(result->trust);
         const std::filesystem::path draws = draws_path(result_path);
         if (result->draws == 0) {
             identified.built.no_draws_because = "the result was made without posterior samples";

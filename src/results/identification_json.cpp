@@ -171,6 +171,8 @@ Description<Identification> describe(const Identification* /*type*/) {
                   "Of all edges, in the predicted form; negative in a compressed strut [N].")
         .newer("uncertain", &Identification::uncertain,
                "Estimates of the uncertain parameters; of an edge or a node where one is named.")
+        .newer("stretches", &Identification::stretches,
+               "Cables that slide, one length from clamp to clamp; empty where none does.")
         .newer_object("forces", forces_object())
         .newer("length_covariance", &Identification::length_covariance,
                "Posterior covariances between the lengths of the edges asked for; null: none.")

@@ -154,6 +154,27 @@ Description<IdentifiedEdge> describe(const IdentifiedEdge* /*type*/) {
     return result;
 }
 
+Description<StretchLength> describe(const StretchLength* /*type*/) {
+    using Stretch = StretchLength;
+    return Description<Stretch>("stretch_length",
+                                "A stretch of cable that slides, from clamp to clamp.")
+        .key("edges", &Stretch::edges, "Edge by edge.")
+        .key("ids",
+             [](const Stretch& stretch, const Context& c) {
+                 std::vector<std::string> ids;
+                 for (const int edge : stretch.edges) {
+                     ids.push_back(c.net->edge_id(edge));
+                 }
+                 return ids;
+             })
+        .key("nominal", &Stretch::nominal, size, "Unstressed length as designed [m].")
+        .key("friction", &Stretch::friction, size, "Largest coefficient that was reckoned with.")
+        .key("length_deviation", &Stretch::length_deviation, "True minus nominal [m].")
+        .key("std", &Stretch::std, size, "Standard deviation of that [m].")
+        .key("tension", &Stretch::tension, "Mean of its edges [N].")
+        .key("tension_std", &Stretch::tension_std, size, "Standard deviation of that [N].");
+}
+
 Description<LengthCovariance> describe(const LengthCovariance* /*type*/) {
     using Covariance = LengthCovariance;
     return Description<Covariance>("length_covariance")

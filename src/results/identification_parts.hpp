@@ -31,6 +31,7 @@ Description<PriorEstimate> describe(const PriorEstimate* type);
 Description<ParameterEstimate> describe(const ParameterEstimate* type);
 Description<Assumption> describe(const Assumption* type);
 Description<IdentifiedEdge> describe(const IdentifiedEdge* type);
+Description<StretchLength> describe(const StretchLength* type);
 Description<LengthCovariance> describe(const LengthCovariance* type);
 Description<DrawnEstimate> describe(const DrawnEstimate* type);
 Description<DrawnTension> describe(const DrawnTension* type);

@@ -151,8 +151,16 @@ ParameterEstimate read_uncertain_parameter(const JsonValue& value, const CableNe
     }
     const UncertainParameter::Kind kind = estimate.parameter.kind;
     if (kind == UncertainParameter::Kind::stiffness_each ||
-        kind == UncertainParameter::Kind::adjustable) {
+        kind == UncertainParameter::Kind::adjustable || kind == UncertainParameter::Kind::slip) {
         estimate.edge = read_edge_index(value.require("edge", "the edge of this parameter"), net);
+        const auto& sliding = net.sliding_nodes();
+        if (kind == UncertainParameter::Kind::slip &&
+            std::ranges::find(sliding, estimate.edge, &SlidingNode::after) == sliding.end()) {
+            member(value, "edge")
+                .fail(
+                    fmt::format("is {}, expected an edge to which a run slides from the one before",
+                                estimate.edge));
+        }
     }
     if (kind == UncertainParameter::Kind::supports ||
         kind == UncertainParameter::Kind::loads_each) {

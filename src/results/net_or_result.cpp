@@ -7,10 +7,12 @@
 #include "files/json_parse.hpp"
 #include "files/json_value.hpp"
 #include "files/message.hpp"
+#include "statics/sliding.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/statics/plausibility.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -49,7 +51,14 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
                 support.place += result.frame_offset->motion_of(support.place).col(0);
             }
         }
-        return {.file = {.net = CableNet(std::move(data)), .unknown_keys = designed.unknown_keys},
+        CableNet net(std::move(data));
+        if (!net.sliding_nodes().empty()) {
+            data = net.data();
+            data.runs = runs_from_here(net, net.nodes(),
+                                       tensions(net, net.unstressed_lengths(), net.nodes()));
+            net = CableNet(std::move(data));
+        }
+        return {.file = {.net = std::move(net), .unknown_keys = designed.unknown_keys},
                 .is_identified = true,
                 .slack = std::move(slack),
                 .not_determined = std::move(not_determined)};

@@ -100,6 +100,8 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                 result.sag = parameter.std * random.normal();
                 result.own_loads += result.sag * self_weight(net);
                 break;
+            case UncertainParameter::Kind::slip:
+                break;  // follows from the balance of the net
             case UncertainParameter::Kind::forces:
             case UncertainParameter::Kind::test_loads:
                 break;  // an error of measurements, not of the net
@@ -123,6 +125,9 @@ CableNet net_under(const CableNet& net, const ModelPerturbation& perturbation,
     data.axial_stiffness.array() *= perturbation.stiffness.array().exp();
     if (!net.is_linear()) {
         scale_laws(net, perturbation.stiffness, data);
+    }
+    if (!perturbation.runs.empty()) {
+        data.runs = perturbation.runs;
     }
     data.sag_weight *= 1.0 + perturbation.sag;
     data.loads = (1.0 + perturbation.loads) * net.loads() + perturbation.own_loads;

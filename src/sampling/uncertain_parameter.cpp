@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -36,13 +37,14 @@ constexpr std::array parameter_names{
     Named{"mass", Kind::mass, "1", false},
     Named{"test-loads", Kind::test_loads, "1", false},
     Named{"support-stiffness", Kind::support_stiffness, "1", false},
-    Named{"creep", Kind::creep, "1", true}};
+    Named{"creep", Kind::creep, "1", true},
+    Named{"slip", Kind::slip, "m", false}};
 
 constexpr std::string_view with_groups = "stiffness, stiffness-each, temperature and creep";
 
 constexpr std::string_view parameter_examples =
     "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N, "
-    "loads:10%, forces:1%, mass:3%, test-loads:1%, support-stiffness:10% or creep:0.01%";
+    "loads:10%, forces:1%, mass:3%, test-loads:1%, support-stiffness:10%, creep:0.01% or slip:50mm";
 
 const Named& named(Kind kind) {
     return *std::ranges::find(parameter_names, kind, &Named::kind);
@@ -82,6 +84,16 @@ void check_width(const UncertainParameter& parameter, std::string_view text) {
 [[noreturn]] void refuse(const UncertainParameter& parameter, std::string_view problem) {
     throw std::invalid_argument(
         fmt::format("the uncertain parameter '{}' {}", parameter.to_string(), problem));
+}
+
+/// Unstressed length of the shortest edge at a sliding node [m].
+double shortest_sliding(const CableNet& net) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const SlidingNode& at : net.sliding_nodes()) {
+        shortest = std::min(
+            {shortest, net.unstressed_lengths()(at.before), net.unstressed_lengths()(at.after)});
+    }
+    return shortest;
 }
 
 void check_one(const CableNet& net, const UncertainParameter& parameter) {
@@ -156,6 +168,14 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
         case Kind::support_stiffness:
             if (net.elastic_supports().empty()) {
                 refuse(parameter, "needs elastic supports, but the net has none");
+            }
+            break;
+        case Kind::slip:
+            if (net.sliding_nodes().empty()) {
+                refuse(parameter, "needs a run that slides, but the net has none");
+            }
+            if (parameter.std > widest_part * shortest_sliding(net)) {
+                refuse(parameter, "is wider than a third of the shortest edge that slides");
             }
             break;
         case Kind::stiffness:
@@ -289,6 +309,17 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     const Eigen::VectorXd& mass = net.data().mass;
     assume(Kind::mass, mass.size() > 0 && !mass.isZero(0.0) ? of_mass : 0.0);
     assume(Kind::test_loads, forces.by_loads ? of_test_loads : 0.0);
+    return with_slips(net, std::move(given));
+}
+
+std::vector<UncertainParameter> with_slips(const CableNet& net,
+                                           std::vector<UncertainParameter> given) {
+    constexpr double any = 0.1;  // more than a cable slides [m]
+    constexpr double most_of_length = 0.1;
+    if (!net.sliding_nodes().empty() && std_of(given, Kind::slip) == 0.0) {
+        given.push_back(
+            {.kind = Kind::slip, .std = std::min(any, most_of_length * shortest_sliding(net))});
+    }
     return given;
 }
 

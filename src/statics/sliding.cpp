@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+
+#include "net/sliding_nodes.hpp"
 
 namespace taut {
 namespace {
@@ -65,8 +69,9 @@ struct Limits {
 Limits limits(const LengthRates& rates, const SlidingNode& at) {
     const double ratio = largest_ratio(rates, at);
     const double by_angle = at.friction * ratio;
-    return {.on = {at.before, at.after, ratio, 1.0, -by_angle * pull(rates, at.before)},
-            .back = {at.before, at.after, 1.0, ratio, by_angle * pull(rates, at.after)}};
+    const double before = at.ratio * pull(rates, at.before);
+    return {.on = {at.before, at.after, at.ratio * ratio, 1.0, -by_angle * before},
+            .back = {at.before, at.after, at.ratio, ratio, by_angle * pull(rates, at.after)}};
 }
 
 /// How far the net is from what (capstan) asks for at each node [N].
@@ -116,6 +121,44 @@ double rounding(const LocalNet& net, const NetState& state) {
 }
 
 }  // namespace
+
+double contact_angle(const std::vector<Edge>& edges, const Eigen::Ref<const Points>& form,
+                     const SlidingNode& at) {
+    const auto away = [&](int edge) -> Eigen::Vector3d {
+        const auto [s, t] = edges[edge];
+        return form.col(s == at.node ? t : s) - form.col(at.node);
+    };
+    const Eigen::Vector3d a = away(at.before);
+    const Eigen::Vector3d b = away(at.after);
+    return std::atan2(a.cross(b).norm(), -a.dot(b));
+}
+
+std::vector<CableRun> runs_from_here(const CableNet& net, const Eigen::Ref<const Points>& form,
+                                     const Eigen::Ref<const Eigen::VectorXd>& tensions,
+                                     double friction_error) {
+    constexpr double most = 4.0;  // of the logarithm of a ratio
+    std::vector<CableRun> runs = net.data().runs;
+    for (CableRun& run : runs) {
+        if (run.slides_at.empty()) {
+            continue;
+        }
+        const double friction =
+            std::max(0.0, run.friction.value_or(CableRun::likely_friction) + friction_error);
+        std::vector<double> ratios;
+        for (const SlidingNode& at : sliding_nodes_of(net.edges(), run)) {
+            const double holds = friction * contact_angle(net.edges(), form, at);
+            const double before = at.ratio * tensions(at.before);
+            const double after = tensions(at.after);
+            const double found = before > 0.0 && after > 0.0
+                                     ? std::clamp(std::log(after / before), -most, most)
+                                     : 0.0;
+            ratios.push_back(at.ratio * std::exp(found - std::clamp(found, -holds, holds)));
+        }
+        run.friction = friction;
+        run.ratios = std::move(ratios);
+    }
+    return runs;
+}
 
 std::vector<SlidingBalance> sliding_balances(const std::vector<SlidingNode>& nodes,
                                              const LengthRates& rates) {

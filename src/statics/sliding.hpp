@@ -15,6 +15,21 @@
 
 namespace taut {
 
+/// The angle by which a run turns at a node where it slides.
+/// @param form of a net with these edges (3 x n)
+[[nodiscard]] TAUT_CORE_EXPORT double contact_angle(const std::vector<Edge>& edges,
+                                                    const Eigen::Ref<const Points>& form,
+                                                    const SlidingNode& at);
+
+/// The runs of a net as they slide on from a form in which they stand: where its tensions differ by
+/// more than friction holds, as estimated ones may, that is taken for their ratio without friction.
+/// @param form in equilibrium with clamped runs (3 x n) [m]
+/// @param tensions there (m) [N]
+/// @param friction_error by which friction is larger than given, or than CableRun::likely_friction
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<CableRun> runs_from_here(
+    const CableNet& net, const Eigen::Ref<const Points>& form,
+    const Eigen::Ref<const Eigen::VectorXd>& tensions, double friction_error = 0.0);
+
 /// What balances where a run slides through a node, docs/theory.md (capstan): of_after times the
 /// tension behind it less of_before times that before it is 0.
 struct SlidingBalance {

@@ -30,7 +30,7 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
                                 ControlStrategy::nominal, ControlStrategy::once};
 
 void check_control(const CableNet& net, const ControlSettings& settings) {
-    refuse_sliding(net);
+    refuse_sliding(net, "a trial of plans");
     check_prior(net, settings.prior);
     check_for_one_survey(net, settings.uncertain);
     const auto require = [](bool holds, const char* field, double value, const char* rule) {

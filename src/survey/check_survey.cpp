@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "net/check_index.hpp"
-#include "taut/net/cable_runs.hpp"
 #include "taut/survey/covariance.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -108,7 +107,6 @@ double Survey::rms_noise_std() const {
 }
 
 void check_survey(const CableNet& net, const Survey& survey) {
-    refuse_sliding(net);
     check_size("form", survey.form.cols(), net.node_count());
     if (survey.noise_std.cols() != 0) {
         check_size("noise_std", survey.noise_std.cols(), net.node_count());

@@ -57,21 +57,21 @@ TEST(LimitsOfStruts, AreTheirBucklingLoadsAndWhatIsAskedOfTheirGroup) {
     const CableNet net(std::move(data));
     PlanRequest request;
     request.tension = {{.least = newtons(1e3), .most = newtons(9e4)}};
-    const TensionLimits by_default = resolve(net, net, request).limits.tension;
+    const TensionLimits by_default = resolve(net, {.net = net}, request).limits.tension;
     for (int e = 0; e < net.edge_count(); ++e) {
         EXPECT_EQ(by_default.lower(e), e == strut ? -4e4 : net.is_strut(e) ? -infinity : 1e3);
         EXPECT_EQ(by_default.upper(e), net.is_strut(e) ? infinity : 9e4);
     }
     request.tension = {{.least = newtons(-2e4), .most = newtons(-1e3), .group = "strut"}};
-    const TensionLimits of_group = resolve(net, net, request).limits.tension;
+    const TensionLimits of_group = resolve(net, {.net = net}, request).limits.tension;
     EXPECT_EQ(of_group.lower(strut), -2e4);
     EXPECT_EQ(of_group.upper(strut), -1e3);
     EXPECT_EQ(of_group.lower(net.data().groups.at("ridge")[0]), 0.0);
     // Looser than the buckling load.
     request.tension = {{.least = newtons(-2e5), .group = "strut"}};
-    EXPECT_EQ(resolve(net, net, request).limits.tension.lower(strut), -4e4);
+    EXPECT_EQ(resolve(net, {.net = net}, request).limits.tension.lower(strut), -4e4);
     request.tension = {{.least = newtons(-2e4), .group = "ridge"}};
-    const auto resolved = [&] { return resolve(net, net, request); };
+    const auto resolved = [&] { return resolve(net, {.net = net}, request); };
     expect_refused<RequestError>(resolved, "only struts carry compression");
     request.tension = {{.least = newtons(-2e4)}};
     expect_refused<RequestError>(resolved, "0 or more");
@@ -80,13 +80,13 @@ TEST(LimitsOfStruts, AreTheirBucklingLoadsAndWhatIsAskedOfTheirGroup) {
 class PlanRequestOfAHypar : public ::testing::Test {
 protected:
     [[nodiscard]] Limits limits_of(const PlanRequest& request) const {
-        return resolve(net, net, request).limits;
+        return resolve(net, {.net = net}, request).limits;
     }
 
     static void expect_field(const CableNet& net, const CableNet& built, const PlanRequest& request,
                              const char* field, const char* text) {
         try {
-            static_cast<void>(resolve(net, built, request));
+            static_cast<void>(resolve(net, {.net = built}, request));
             ADD_FAILURE() << "took " << field << ", expected: " << text;
         } catch (const RequestError& error) {
             EXPECT_EQ(error.field(), field);
@@ -144,7 +144,8 @@ TEST_F(PlanRequestOfAHypar, NarrowsStrokesToTheTotalSinceTheDesign) {
     CableNetData data = net.data();
     data.unstressed_lengths(first) += 3e-3;
     const CableNet built(data);
-    const auto [options, limits] = resolve(net, built, {.stroke = 10e-3, .total_stroke = 4e-3});
+    const auto [options, limits] =
+        resolve(net, {.net = built}, {.stroke = 10e-3, .total_stroke = 4e-3});
     ASSERT_EQ(options.edges, net.adjustable_edges());
     for (size_t k = 0; k < options.edges.size(); ++k) {
         const double offset = options.edges[k] == first ? 3e-3 : 0.0;
@@ -155,14 +156,15 @@ TEST_F(PlanRequestOfAHypar, NarrowsStrokesToTheTotalSinceTheDesign) {
     expect_field(net, built, {.total_stroke = 2e-3}, "total_stroke",
                  "is 2mm, but the turnbuckle of edge '");
     expect_field({.total_stroke = 0.0}, "total_stroke", "is 0mm, expected more than 0");
-    expect_refused<RequestError>([&] { return resolve(net, built, {.total_stroke = -1.0}); },
-                                 "the total stroke is -1000mm");
+    expect_refused<RequestError>(
+        [&] { return resolve(net, {.net = built}, {.total_stroke = -1.0}); },
+        "the total stroke is -1000mm");
 }
 
 TEST_F(PlanRequestOfAHypar, TurnsOnlyTheEdgesThatRangesOfStrokesName) {
     const int second = net.adjustable_edges()[1];
     const StrokeRange range{.edge = second, .shortest = -1e-3, .longest = 2e-3};
-    const auto [options, limits] = resolve(net, net, {.stroke_ranges = {range}});
+    const auto [options, limits] = resolve(net, {.net = net}, {.stroke_ranges = {range}});
     EXPECT_THAT(options.edges, ElementsAre(second));
     EXPECT_EQ(limits.shortest_stroke(0), -1e-3);
     EXPECT_EQ(limits.longest_stroke(0), 2e-3);
@@ -172,7 +174,7 @@ TEST_F(PlanRequestOfAHypar, TurnsOnlyTheEdgesThatRangesOfStrokesName) {
     expect_field({.options = {.edges = {first}}, .stroke_ranges = {range}}, "stroke",
                  "leaves no edge that may be turned");
     // An interior edge may be turned where that is asked for, and then no other.
-    EXPECT_THAT(resolve(net, net,
+    EXPECT_THAT(resolve(net, {.net = net},
                         {.options = {.edges = {inner}}, .stroke_ranges = {{.edge = inner}, range}})
                     .options.edges,
                 ElementsAre(inner));

@@ -239,7 +239,7 @@ TEST_F(TensionTargets, OfEdgesOverrideThoseOfGroupsAndTheseThoseOfAll) {
     data.groups = {{"ridge", {3, 4}}, {"valley", {4, 5}}};
     const CableNet net(data);
     const auto resolved = [&](const std::vector<GivenTension>& given) {
-        return resolve(net, net, {.target_tension = given}).options.target_tensions;
+        return resolve(net, {.net = net}, {.target_tension = given}).options.target_tensions;
     };
     const GivenTension edge{.tension = 3e3, .tolerance = {.value = 40.0}, .edge = 3};
     const GivenTension ridge{.tension = 2e3, .group = "ridge"};
@@ -258,8 +258,9 @@ TEST_F(TensionTargets, OfEdgesOverrideThoseOfGroupsAndTheseThoseOfAll) {
     refused({ridge, {.tension = 1e3, .group = "valley"}}, "is given twice: 2000 +- 100 N and 1000");
     refused({{.tension = 1e3, .group = "roof"}}, "names the group 'roof'");
     refused({{.tension = 1e3, .edge = net.edge_count()}}, "names edge ");
-    EXPECT_THROW(static_cast<void>(resolve(net, net, {.options = {.form_tolerance = 1e-3}})),
-                 RequestError);
+    EXPECT_THROW(
+        static_cast<void>(resolve(net, {.net = net}, {.options = {.form_tolerance = 1e-3}})),
+        RequestError);
 }
 
 TEST_F(TensionTargets, AreRefusedWhereNoPlanCanReachThem) {

@@ -39,6 +39,7 @@ double truth_of(const ModelPerturbation& c, const CableNet& net,
         case UncertainParameter::Kind::mass:
         case UncertainParameter::Kind::test_loads:
         case UncertainParameter::Kind::creep:
+        case UncertainParameter::Kind::slip:
             break;  // not drawn here
     }
     return 0.0;

@@ -61,6 +61,7 @@ void expect_same(const CableNetData& a, const CableNetData& b) {
         EXPECT_EQ(a.runs[k].edges, b.runs[k].edges);
         EXPECT_EQ(a.runs[k].slides_at, b.runs[k].slides_at);
         EXPECT_EQ(a.runs[k].friction, b.runs[k].friction);
+        EXPECT_EQ(a.runs[k].ratios, b.runs[k].ratios);
     }
 }
 
@@ -107,11 +108,15 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
 }
 
 TEST(NetJson, ReadsBackRunsThatSlide) {
-    const CableNet net = sliding_ridge();
-    ASSERT_FALSE(net.data().runs.at(0).slides_at.empty());
-    const CableNet back = parse_net(net_to_json(net), "net.json").net;
-    expect_same(back.data(), net.data());
-    EXPECT_EQ(back.fingerprint(), net.fingerprint());
+    CableNetData data = sliding_ridge().data();
+    ASSERT_EQ(data.runs.at(0).slides_at.size(), 7U);
+    data.runs[0].friction.reset();
+    data.runs[0].ratios = {1.0, 1.1, 0.9, 1.0, 1.0, 1.0 / 3.0, 1.0};
+    for (const CableNet& net : {sliding_ridge(), CableNet(data)}) {
+        const CableNet back = parse_net(net_to_json(net), "net.json").net;
+        expect_same(back.data(), net.data());
+        EXPECT_EQ(back.fingerprint(), net.fingerprint());
+    }
 }
 
 TEST(NetJson, ReadsBackStruts) {

@@ -113,6 +113,10 @@ TEST(CableRuns, ThatCannotSlideAreRefused) {
                     run.slides_at.clear();
                 }),
                 says("friction is nan, expected a number of 0 to 10"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.ratios = {1.0}; }),
+                says("has 1 ratios, expected 2, one a node where it slides"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.ratios = {1.0, 0.0}; }),
+                says("holds the ratio 0, expected one of 0.01 to 100"));
     EXPECT_THAT(refused([](CableRun& run, CableNetData& data) {
                     // across one node of the grid, and back
                     const int node = run.slides_at[0];

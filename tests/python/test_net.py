@@ -77,6 +77,15 @@ def test_runs_slide_where_they_are_said_to():
     expected = np.sum(weights * (ahead - behind)) / 2e-5
     assert np.isclose(pullback(weights)[run["edges"][0]], expected, rtol=1e-5)
 
+    survey = taut.read_survey(ridge, taut.simulate_survey(ridge, ridge.nodes, noise=5e-4, seed=1))
+    result = taut.identify(ridge, survey, prior="normal:2mm", uncertain=["none"], draws=20)
+    (stretch,) = result.stretches
+    assert stretch["edges"] == run["edges"]
+    assert stretch["friction"] == pytest.approx(0.15)
+    slips = [one for one in result.uncertain if one["parameter"] == "slip:100mm"]
+    assert len(slips) == len(run["slides_at"])
+    assert taut.plan(ridge, result).is_feasible
+
 
 def test_struts_are_a_kind_of_edges(tmp_path):
     dome = taut.cable_dome()

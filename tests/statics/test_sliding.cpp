@@ -10,7 +10,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "net/sliding_nodes.hpp"
 #include "statics/reference_net.hpp"
+#include "statics/sliding.hpp"
 #include "support/finite_differences.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -25,10 +27,11 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-CableNet with_friction(const CableNet& net, double friction) {
+CableNet with_friction(const CableNet& net, double friction, double ratio = 1.0) {
     CableNetData data = net.data();
     for (CableRun& run : data.runs) {
         run.friction = friction;
+        run.ratios.assign(run.slides_at.size(), ratio);
     }
     return CableNet(std::move(data));
 }
@@ -130,9 +133,36 @@ TEST(Sliding, WithFrictionSlidesOnlyAtItsLimit) {
     EXPECT_GE(stuck, 2);
 }
 
+TEST(Sliding, GoesOnFromWhereItWasFound) {
+    // Tensions that differ by more than friction holds, as estimates do.
+    CableNetData data = with_friction(ridge(), 0.05).data();
+    data.unstressed_lengths(0) -= 0.004;
+    data.unstressed_lengths(4) += 0.006;
+    const Equilibrium found = solve_equilibrium(clamped(CableNet(data)));
+    ASSERT_EQ(found.status, EquilibriumStatus::converged);
+    const CableNet net(data);
+    const Eigen::VectorXd tension = tensions(net, found.unstressed_lengths, found.form);
+    data.runs = runs_from_here(net, found.form, tension);
+    const CableNet held(data);
+    const Equilibrium there = EquilibriumSolver(held).solve(found.unstressed_lengths, found.form);
+    EXPECT_LT((there.unstressed_lengths - found.unstressed_lengths).cwiseAbs().maxCoeff(), 1e-9);
+    // On from there, within what friction holds on both sides of the ratios.
+    Eigen::VectorXd turned = found.unstressed_lengths;
+    turned(0) -= 0.05;
+    const Equilibrium on = EquilibriumSolver(held).solve(turned, found.form);
+    EXPECT_EQ(on.status, EquilibriumStatus::converged);
+    EXPECT_GT((on.unstressed_lengths - turned).cwiseAbs().maxCoeff(), 1e-3);
+    const Eigen::VectorXd then = tensions(held, on.unstressed_lengths, on.form);
+    for (const SlidingNode& at : held.sliding_nodes()) {
+        EXPECT_LE(std::abs(std::log(then(at.after) / then(at.before) / at.ratio)),
+                  at.friction * contact_angle(held.edges(), on.form, at) + 1e-8);
+    }
+}
+
 TEST(Sliding, DerivativesAreThoseOfTheNetThatSlides) {
-    for (const double friction : {0.0, 0.05}) {
-        const CableNet net = with_friction(ridge(), friction);
+    for (const auto& [friction, ratio] :
+         {std::pair(0.0, 1.0), {0.05, 1.0}, {0.0, 1.02}, {0.05, 0.98}}) {
+        const CableNet net = with_friction(ridge(), friction, ratio);
         EquilibriumSolver solver(net);
         Eigen::VectorXd marked = net.unstressed_lengths();
         marked(0) -= 0.004;

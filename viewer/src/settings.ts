@@ -81,6 +81,7 @@ export function settingsSection(result: Result): HTMLElement {
     const single = new Map<string, number>();
     for (const one of result.uncertain ?? []) if (one.edge !== undefined || one.node !== undefined) single.set(one.given, (single.get(one.given) ?? 0) + (one.observed ? 1 : 0));
     for (const [given, observed] of single) add(`uncertain: ${given}`, `${observed} of them determined better than a priori`);
+    for (const one of result.stretches ?? []) add(`cable that slides, edges ${one.ids[0]} to ${one.ids[one.ids.length - 1]}`, `${number(1e3 * one.length_deviation)} mm from the design, standard deviation ${number(1e3 * one.std)} mm; ${number(1e-3 * one.tension)} kN, standard deviation ${number(1e-3 * one.tension_std)} kN`);
     const hung = (result.epochs ?? []).flatMap(({ load }, k) => (load ? [`${number(load * 1e-3)} kN at survey ${k + 1}`] : []));
     if (hung.length > 0) add("known loads hung on the net", hung.join(", "));
     if (result.forces && result.forces.measurements > 0) add("force measurements", `${result.forces.measurements}, ${result.forces.outliers.length} excluded`);

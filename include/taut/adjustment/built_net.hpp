@@ -26,20 +26,34 @@ struct BuiltNet {
     std::string no_draws_because;  ///< why there are no samples, in words
     /// Why the identification failed its checks, and what to do about it; empty where it passed.
     std::string failed_because;
+    /// Unstressed lengths by what turnbuckles show: neither what slid to adjustable edges nor the
+    /// small errors that were estimated (m); empty: those of `net` [m].
+    Eigen::VectorXd shown_lengths = {};
 };
 
 /// The net with all that an identification estimated: lengths, uncertain parameters, boundary
 /// outliers. Lengths of adjustable edges are as given unless the survey contradicts them. The nodes
-/// are in equilibrium, in the frame of `net`; its loads include its self-weight.
+/// are in equilibrium, in the frame of `net`; its loads include its self-weight. Runs slide from
+/// where they were found, with CableRun::likely_friction where none is given. Without
+/// samples.
 /// @param net with what was turned since: turned_net()
 /// @param edges, uncertain, boundary_outliers of an identification of this net; their indices are
 ///   not checked
 /// @throws std::invalid_argument where these find no equilibrium, or are no net (NetError)
 /// @throws std::out_of_range for an uncertain parameter of a group that the net does not have
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT CableNet
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT BuiltNet
 net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
                   std::span<const ParameterEstimate> uncertain,
                   std::span<const BoundaryOutlier> boundary_outliers);
+
+/// Length of an edge less that of the design; of an adjustable one as its turnbuckle shows it: what
+/// was turned since, and a gross error that was found [m].
+[[nodiscard]] inline double turned_from_design(const CableNet& designed, const BuiltNet& built,
+                                               int edge) {
+    const Eigen::VectorXd& lengths =
+        built.shown_lengths.size() > 0 ? built.shown_lengths : built.net.unstressed_lengths();
+    return lengths(edge) - designed.unstressed_lengths()(edge);
+}
 
 /// The worst finding of a failed identification and its remedy, for BuiltNet::failed_because; empty
 /// where it did not fail.

@@ -52,7 +52,7 @@ struct ResolvedRequest {
 
 /// The edges that a request allows to turn, and all limits by edge and support.
 /// @param net as designed
-/// @param built as it stands, the same net with other lengths and loads: not checked
+/// @param built the same net as it stands: not checked
 /// @throws RequestError for a stroke or total stroke that is not positive, a turnbuckle that
 ///   is further from its designed length than the total stroke, strokes of an edge that is not
 ///   adjustable or of none that may be turned, a group that the net does not have, a range of
@@ -61,7 +61,7 @@ struct ResolvedRequest {
 ///   not have or that contradict each other, and a form tolerance without target tensions
 /// @throws std::invalid_argument for added loads of a wrong size
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT ResolvedRequest resolve(const CableNet& net,
-                                                             const CableNet& built,
+                                                             const BuiltNet& built,
                                                              const PlanRequest& request);
 
 /// A plan, the order of its work, and what it was made with.

@@ -47,6 +47,18 @@ struct IdentifiedEdge {
     EdgeStatus status = EdgeStatus::determined;  ///< whether the survey determines its length
 };
 
+/// Posterior of a stretch of cable that slides, from clamp to clamp: of its edges only their sum is
+/// determined.
+struct StretchLength {
+    std::vector<int> edges;         ///< edge by edge, adjustable ones among them
+    double nominal = 0.0;           ///< unstressed length as designed [m]
+    double friction = 0.0;          ///< largest coefficient that was reckoned with
+    double length_deviation = 0.0;  ///< estimate of true minus nominal [m]
+    double std = 0.0;               ///< standard deviation of the estimate [m]
+    double tension = 0.0;           ///< mean of its edges [N]
+    double tension_std = 0.0;       ///< standard deviation of that [N]
+};
+
 /// Posterior covariances between the lengths of some interior edges.
 struct LengthCovariance {
     std::vector<int> edges;  ///< k, in the order in which they were asked for
@@ -125,6 +137,7 @@ struct Identification {
     IdentificationStatus status = IdentificationStatus::converged;  ///< how it ended
     std::string message;                ///< why it did not converge, and what may help; else empty
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
+    std::vector<StretchLength> stretches;  ///< where runs slide; the slips are in `uncertain`
     Equilibrium predicted;     ///< of the net with the identified lengths, and all else identified
     Eigen::VectorXd tensions;  ///< of all edges in that form (m); empty where there is none [N]
     /// |predicted - surveyed| at the surveyed free nodes, in the order of Survey::surveyed [m]

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -60,15 +61,27 @@ struct CableRun {
     std::string name;            ///< may be empty
     std::vector<int> edges;      ///< none in another run
     std::vector<int> slides_at;  ///< nodes between two edges of the run that follow each other
-    double friction = 0.0;       ///< coefficient of friction there
+    /// Coefficient of friction there; empty: not known. Forms are then those without friction.
+    std::optional<double> friction = {};
+    /// Tension behind each of these nodes, along the cable, over that before it, in the middle of
+    /// what friction leaves; empty: 1.
+    std::vector<double> ratios = {};
+
+    /// What identification and plans take for a friction that is not known: that of steel on a
+    /// saddle with grease or PTFE.
+    static constexpr double likely_friction = 0.05;
+    /// By how much friction may be larger or smaller than that, or than given.
+    static constexpr double uncertain_friction = 0.05;
 };
 
 /// A node that a run slides through.
 struct SlidingNode {
-    int node;         ///< index in the net
-    int before;       ///< edge of the run that ends there
-    int after;        ///< the next edge of the run
-    double friction;  ///< coefficient of friction there
+    int node;              ///< index in the net
+    int before;            ///< edge of the run that ends there
+    int after;             ///< the next edge of the run
+    double friction;       ///< coefficient of friction there
+    double ratio;          ///< of the tensions behind and before it, in the middle
+    double most_friction;  ///< largest that identification reckons with
 };
 
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "taut/export/core.hpp"
@@ -17,9 +18,9 @@ namespace taut {
 ///   edge is in two runs
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<std::vector<int>> cable_runs(const CableNet& net);
 
-/// Refuses a net whose runs slide, for what does not know how lengths pass on: identification and
-/// training.
+/// Refuses a net whose runs slide, for what does not know how lengths pass on.
+/// @param what that is, for the message: "training"
 /// @throws NetError naming the first run that does
-TAUT_CORE_EXPORT void refuse_sliding(const CableNet& net);
+TAUT_CORE_EXPORT void refuse_sliding(const CableNet& net, std::string_view what);
 
 }  // namespace taut

@@ -19,11 +19,14 @@ struct ModelPerturbation {
     Eigen::VectorXd thermal;    ///< m, thermal strain of the unstressed lengths
     /// 3 x n, displacements of supports, of elastic ones without load; 0 for other nodes [m]
     Points supports;
-    Eigen::VectorXd adjustable;      ///< m, changes of unstressed lengths; 0 for interior edges [m]
+    /// m, changes of unstressed lengths of adjustable edges, what slid to them included; 0 for
+    /// interior edges [m]
+    Eigen::VectorXd adjustable;
     double loads = 0.0;              ///< relative change of all loads
     Points own_loads;                ///< 3 x n, change of the load of each node [N]
     double support_stiffness = 0.0;  ///< logarithm of the factor of all elastic supports
     double sag = 0.0;  ///< relative change of all sag weights, as of the mass that makes them
+    std::vector<CableRun> runs = {};  ///< in place of the net's; empty: as there
 };
 
 /// No perturbation: all as designed.

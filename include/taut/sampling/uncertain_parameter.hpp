@@ -29,13 +29,14 @@ struct TAUT_CORE_EXPORT UncertainParameter {
         test_loads,      ///< one relative error of the known loads of a survey, Epoch::loads
         support_stiffness,  ///< logarithm of one factor of the stiffness of all elastic supports
         creep,              ///< strain that edges gain in common from one survey to the next
+        slip,  ///< length that has passed at each node where a run slides, beyond the design [m]
     };
     Kind kind = Kind::stiffness;  ///< what the numbers are
     double std = 0.0;             ///< standard deviation, in the unit of the kind
     std::string group;            ///< of edges, of the net; empty: all
 
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads", "forces",
-    /// "mass", "test-loads", "support-stiffness", "creep".
+    /// "mass", "test-loads", "support-stiffness", "creep", "slip".
     [[nodiscard]] std::string_view name() const;
     /// Of std: "1" for a part, "K", "m" or "N".
     [[nodiscard]] std::string_view unit() const;
@@ -52,7 +53,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 
 /// "stiffness:5%", "stiffness:5%@GROUP", "stiffness-each:3%", "temperature:10K", "supports:1mm",
 /// "adjustable:0.5mm", "loads:20N", "loads:10%", "forces:1%", "mass:3%",
-/// "test-loads:1%", "support-stiffness:10%", "creep:0.01%@GROUP".
+/// "test-loads:1%", "support-stiffness:10%", "creep:0.01%@GROUP", "slip:50mm".
 /// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
 ///   a relative one of 30 % or more, and a group where the kind has none
 [[nodiscard]] TAUT_CORE_EXPORT UncertainParameter parse_uncertain_parameter(std::string_view text);
@@ -83,11 +84,16 @@ struct KnownForces {
 /// most a tenth of the shortest edge concerned. Stiffness of elastic supports 10 %. Loads 5 % in
 /// common, where there are any. The mass, and with it the self-weight, 3 % where edges have one. Of
 /// forces, where measured: 1 % in common of load cells; of known loads that hung on the net at one
-/// survey, 2 %.
+/// survey, 2 %. with_slips().
 /// @param given takes precedence: nothing is assumed of a parameter with a name in it
 /// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(
     const CableNet& net, std::vector<UncertainParameter> given, KnownForces forces = {});
+
+/// Adds slips, where runs of the net slide and none are given: 0.1 m, at most a tenth of the
+/// shortest edge that slides, so that nothing is assumed of them.
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_slips(
+    const CableNet& net, std::vector<UncertainParameter> given);
 
 /// The edges that a stiffness, temperature or creep applies to, ascending: those of its group, or
 /// all.

@@ -122,7 +122,6 @@ struct TAUT_CORE_EXPORT Survey {
 ///   order, comes twice or is neither surveyed nor missing, a support that is none, out of order or
 ///   comes twice, noise that is negative or not finite, correlations that no noise can have, a
 ///   position that is not finite or above 1e9 m, and where no node was surveyed
-/// @throws NetError where a run of the net slides
 TAUT_CORE_EXPORT void check_survey(const CableNet& net, const Survey& survey);
 
 /// With the standard deviations of all that was surveyed times a factor.
