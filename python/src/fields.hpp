@@ -131,9 +131,11 @@ TAUT_FIELDS(SuggestedMeasurement, kind, edge, node, expected, std, remaining_std
 TAUT_FIELDS(MeasurementSuggestions, quantity, mean_tension, std, steps, left_out)
 
 // adjustment
+TAUT_FIELDS(CableRun, name, edges, slides_at, friction, ratios)
 TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads,
-            support_stiffness, sag)
-TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_because, failed_because)
+            support_stiffness, sag, runs)
+TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_because, failed_because,
+            shown_lengths)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)
 TAUT_FIELDS(LoadCase, name, loads, tension)

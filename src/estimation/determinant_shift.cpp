@@ -109,8 +109,11 @@ ShiftedSites shifted_by_determinant(const DrawnPosterior& posterior, bool by_fit
         found = std::move(again);
         result.sites = moved_sites(posterior, found->by);
     }
+    const Eigen::VectorXd slid =
+        posterior.fit.model().common.slip_rates(posterior.net().interior_edges()) *
+        found->by.common;
     result.length_shift =
-        without_own_stiffness(posterior, std::move(found->by.deviations), by_fits);
+        without_own_stiffness(posterior, std::move(found->by.deviations), by_fits) + slid;
     return result;
 }
 

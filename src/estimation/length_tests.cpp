@@ -14,6 +14,7 @@
 
 #include "estimation/detectable_error.hpp"
 #include "estimation/length_likelihoods.hpp"
+#include "net/sliding_nodes.hpp"
 #include "taut/net/cable_runs.hpp"
 
 namespace taut {
@@ -336,6 +337,21 @@ std::vector<Hypothesis> length_hypotheses(const CableNet& net,
         result.push_back(
             {.kind = Suspect::length, .index = i, .nodes = {s, t, -1}, .threshold = threshold});
     }
+    // Only the sum of a stretch that slides is determined: one of its edges stands for all, never
+    // an adjustable one, which is known better.
+    for (const std::vector<int>& stretch : sliding_stretches(net)) {
+        const auto width = [&](int edge) {
+            const int i = net.interior_index(edge);
+            return i < 0 ? std::pair(0.0, 0.0)
+                         : std::pair(priors[i].std(), net.unstressed_lengths()(edge));
+        };
+        const int named = std::ranges::max(stretch, {}, width);
+        for (const int edge : stretch) {
+            if (const int i = net.interior_index(edge); i >= 0 && edge != named) {
+                result[i].threshold = infinite;
+            }
+        }
+    }
     if (std::isfinite(threshold)) {
         add_pairs(result, net, priors);
     }
@@ -407,7 +423,7 @@ double detectable_length(const Hypotheses& hypotheses, const CableNet& net,
                          const std::vector<LengthPrior>& priors, const std::vector<int>& edges) {
     std::vector<BoundedEstimate> estimates;
     for (const Hypothesis& length : hypotheses.of(Suspect::length)) {
-        if (length.test != Test::in_use ||
+        if (length.test != Test::in_use || !std::isfinite(length.threshold) ||
             !std::ranges::binary_search(edges, net.interior_edges()[length.index])) {
             continue;
         }

@@ -92,6 +92,9 @@ bool PriorKnowledge::take_up_tensions(const CommonParameters& parameters,
     constexpr double smallest = 0.1;
     bool differs = false;
     int place = parameters.first_of_stretches();
+    if (!(parameters.slip_std() > 0.0)) {
+        return false;
+    }
     for (StretchTension& stretch : stretches) {
         const double found =
             std::max(smallest * stretch.mean, stretch.mean + stretch.unit() * common(place++));

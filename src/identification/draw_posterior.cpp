@@ -219,7 +219,8 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         return deviations(edges, Eigen::all).colwise() + slid(edges);
     };
     const auto interior = [&](const Eigen::MatrixXd& deviations) -> Eigen::MatrixXd {
-        return has_all_lengths ? of_edges(net.interior_edges(), deviations) : deviations;
+        return has_all_lengths ? of_edges(net.interior_edges(), deviations)
+                               : deviations.colwise() + slid(net.interior_edges());
     };
     PerturbedDraws drawn = draw(false);
     std::string reason = why_unreliable(drawn, interior(drawn.deviations), result, net);

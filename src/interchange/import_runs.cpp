@@ -64,9 +64,14 @@ std::vector<std::vector<int>> paths_of(const CableNet& net, const std::vector<in
             }
         }
     }
-    for (const int edge : edges) {  // rings
-        if (!is_taken[edge]) {
-            follow(net.edges()[edge][0], edge);
+    // Rings: from a support where they have one.
+    for (const bool at_support : {true, false}) {
+        for (const int edge : edges) {
+            for (const int node : net.edges()[edge]) {
+                if (!is_taken[edge] && (!at_support || net.free_index(node) < 0)) {
+                    follow(node, edge);
+                }
+            }
         }
     }
     return paths;
@@ -76,8 +81,12 @@ std::map<std::string, std::vector<int>> groups_of(const CableNet& net, Slides by
     std::map<std::string, std::vector<int>> groups;
     if (by == Slides::names) {
         for (int e = 0; e < net.edge_count(); ++e) {
-            if (const std::string stem = stem_of(net.edge_id(e));
-                !stem.empty() && !net.is_strut(e)) {
+            const std::string& s = net.node_id(net.edges()[e][0]);
+            const std::string& t = net.node_id(net.edges()[e][1]);
+            const std::string& id = net.edge_id(e);
+            const bool is_named = id != s + "-" + t && id != t + "-" + s;
+            if (const std::string stem = stem_of(id);
+                is_named && !stem.empty() && !net.is_strut(e)) {
                 groups[stem].push_back(e);
             }
         }

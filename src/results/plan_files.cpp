@@ -11,6 +11,7 @@
 #include "files/csv_field.hpp"
 #include "results/document_parts.hpp"
 #include "taut/files/printable.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -28,6 +29,19 @@ std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
         return record.turns->thread;
     }
     return threads[static_cast<size_t>(found - adjustable.begin())];
+}
+
+/// Whether the net as it stands keeps the limits, by the estimate: then turns are for the form.
+bool keeps_limits(const PlanRecord& record) {
+    const Limits& limits = record.turns->limits;
+    const CableNet& net = record.built->net;
+    if (!limits.reactions.empty() || !limits.load_cases.empty()) {
+        return false;
+    }
+    const Eigen::VectorXd pull = tensions(net, net.unstressed_lengths(), net.nodes());
+    const auto& [lower, upper] = limits.tension;
+    return (lower.size() == 0 || (pull - lower).minCoeff() >= 0.0) &&
+           (upper.size() == 0 || (upper - pull).minCoeff() >= 0.0);
 }
 
 /// Whether each limit is rather kept than not: then they fail together alone.
@@ -86,7 +100,8 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
         warnings.push_back(fmt::format(
             "DO NOT TURN BY THIS LIST: the identification failed its checks: {}", failure));
     }
-    if (!plan.is_feasible && are_likely(plan.breaches)) {
+    if (!plan.is_feasible && are_likely(plan.breaches) &&
+        plan.limit_probability.value_or(0.0) < record.turns->options.confidence) {
         warnings.push_back(fmt::format(
             "DO NOT TURN BY THIS LIST: all limits together are kept with a probability of {:.1f} % "
             "(required: {:g} %)",
@@ -103,13 +118,15 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
         warnings.push_back(
             fmt::format("NO SAFE ORDER WAS FOUND: step {} breaks a limit", order.worst.step + 1));
     }
-    const bool is_for_form_alone = !record.turns->options.tolerance && plan.target_tensions.empty();
+    // Other turns are there to keep limits, or for other aims.
+    const bool is_for_form_alone =
+        !record.turns->options.tolerance && plan.target_tensions.empty() && keeps_limits(record);
     if (plan.is_feasible && !plan.strokes.empty() && is_for_form_alone && plan.draws > 0 &&
         plan.gain() < plan.normal_std) {
         warnings.push_back(
             fmt::format("THE TURNS GAIN LITTLE: {:.2f} mm RMS along the normal, less than the "
-                        "{:.2f} mm to which "
-                        "the planned form is known. Turn fewer edges, or none: give a tolerance",
+                        "{:.2f} mm to which the planned form is known. Turn fewer edges, or none: "
+                        "give a tolerance",
                         1e3 * plan.gain(), 1e3 * plan.normal_std));
     }
     if (plan.draws == 0 && !plan.target_tensions.empty()) {

@@ -136,7 +136,8 @@ double contact_angle(const std::vector<Edge>& edges, const Eigen::Ref<const Poin
 std::vector<CableRun> runs_from_here(const CableNet& net, const Eigen::Ref<const Points>& form,
                                      const Eigen::Ref<const Eigen::VectorXd>& tensions,
                                      double friction_error) {
-    constexpr double most = 4.0;  // of the logarithm of a ratio
+    constexpr double most = 3.0;  // of the logarithm of a ratio
+    constexpr double most_ratio = 50.0;
     std::vector<CableRun> runs = net.data().runs;
     for (CableRun& run : runs) {
         if (run.slides_at.empty()) {
@@ -152,7 +153,9 @@ std::vector<CableRun> runs_from_here(const CableNet& net, const Eigen::Ref<const
             const double found = before > 0.0 && after > 0.0
                                      ? std::clamp(std::log(after / before), -most, most)
                                      : 0.0;
-            ratios.push_back(at.ratio * std::exp(found - std::clamp(found, -holds, holds)));
+            ratios.push_back(
+                std::clamp(at.ratio * std::exp(found - std::clamp(found, -holds, holds)),
+                           1.0 / most_ratio, most_ratio));
         }
         run.friction = friction;
         run.ratios = std::move(ratios);
