@@ -84,7 +84,8 @@ std::map<std::string, std::vector<int>> groups_of(const CableNet& net, Slides by
             const std::string& s = net.node_id(net.edges()[e][0]);
             const std::string& t = net.node_id(net.edges()[e][1]);
             const std::string& id = net.edge_id(e);
-            const bool is_named = id != s + "-" + t && id != t + "-" + s;
+            const bool is_named =
+                id != fmt::format("{}-{}", s, t) && id != fmt::format("{}-{}", t, s);
             if (const std::string stem = stem_of(id);
                 is_named && !stem.empty() && !net.is_strut(e)) {
                 groups[stem].push_back(e);

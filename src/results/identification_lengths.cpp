@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/identification_parts.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "results/result_parts.hpp"
@@ -161,10 +162,9 @@ Description<StretchLength> describe(const StretchLength* /*type*/) {
         .key("edges", &Stretch::edges, "Edge by edge.")
         .key("ids",
              [](const Stretch& stretch, const Context& c) {
-                 std::vector<std::string> ids;
-                 for (const int edge : stretch.edges) {
-                     ids.push_back(c.net->edge_id(edge));
-                 }
+                 std::vector<std::string> ids(stretch.edges.size());
+                 std::ranges::transform(stretch.edges, ids.begin(),
+                                        [&](int edge) { return c.net->edge_id(edge); });
                  return ids;
              })
         .key("nominal", &Stretch::nominal, size, "Unstressed length as designed [m].")

@@ -51,12 +51,11 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
                 support.place += result.frame_offset->motion_of(support.place).col(0);
             }
         }
-        CableNet net(std::move(data));
+        CableNet net(data);
         if (!net.sliding_nodes().empty()) {
-            data = net.data();
             data.runs = runs_from_here(net, net.nodes(),
                                        tensions(net, net.unstressed_lengths(), net.nodes()));
-            net = CableNet(std::move(data));
+            net = CableNet(data);
         }
         return {.file = {.net = std::move(net), .unknown_keys = designed.unknown_keys},
                 .is_identified = true,

@@ -100,11 +100,10 @@ ModelPerturbation draw_perturbation(const CableNet& net,
                 result.sag = parameter.std * random.normal();
                 result.own_loads += result.sag * self_weight(net);
                 break;
-            case UncertainParameter::Kind::slip:
-                break;  // follows from the balance of the net
+            case UncertainParameter::Kind::slip:  // follows from the balance of the net
             case UncertainParameter::Kind::forces:
             case UncertainParameter::Kind::test_loads:
-                break;  // an error of measurements, not of the net
+                break;  // errors of measurements, not of the net
         }
     }
     return result;

@@ -31,7 +31,7 @@ def test_a_sheet_is_the_survey_to_all_digits_that_openpyxl_writes(net, columns, 
 def test_the_list_of_turns_opens_as_numbers(found, tmp_path):
     plan = taut.plan(found, stroke=0.02, turn=2e-3, step=0.25, thread="right")
     plan.save(tmp_path / "plan.json", csv=tmp_path / "turns.csv")
-    assert taut.write_xlsx(tmp_path / "plan.json", tmp_path / "turns.xlsx") == []
+    assert taut.write_xlsx(tmp_path / "plan.json", tmp_path / "turns.xlsx") == plan.warnings
     sheet = openpyxl.load_workbook(tmp_path / "turns.xlsx")["turns"]
     lines = (tmp_path / "turns.csv").read_text().splitlines()
     rows = list(sheet.iter_rows(values_only=True))
