@@ -57,7 +57,7 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
                                        tensions(net, net.unstressed_lengths(), net.nodes()));
             net = CableNet(data);
         }
-        return {.file = {.net = std::move(net), .unknown_keys = designed.unknown_keys},
+        return {.file = {.net = net, .unknown_keys = designed.unknown_keys},
                 .is_identified = true,
                 .slack = std::move(slack),
                 .not_determined = std::move(not_determined)};
