@@ -33,14 +33,16 @@ def test_the_list_of_turns_opens_as_numbers(found, tmp_path):
     plan.save(tmp_path / "plan.json", csv=tmp_path / "turns.csv")
     assert taut.write_xlsx(tmp_path / "plan.json", tmp_path / "turns.xlsx") == plan.warnings
     sheet = openpyxl.load_workbook(tmp_path / "turns.xlsx")["turns"]
-    lines = (tmp_path / "turns.csv").read_text().splitlines()
-    rows = list(sheet.iter_rows(values_only=True))
+    # Warnings stand above the table.
+    lines = (tmp_path / "turns.csv").read_text().splitlines()[len(plan.warnings) :]
+    rows = list(sheet.iter_rows(values_only=True))[len(plan.warnings) :]
     assert ",".join(rows[0]) == lines[0]
     assert len(rows) == len(lines)
     for row, line in zip(rows[1:], lines[1:], strict=True):
         for cell, field in zip(row, line.split(","), strict=True):
             assert cell == (field or None) or cell == pytest.approx(float(field), abs=5.001e-4)
-    assert (sheet.freeze_panes, sheet.print_title_rows) == ("A2", "$1:$1")
+    head = len(plan.warnings) + 1
+    assert (sheet.freeze_panes, sheet.print_title_rows) == (f"A{head + 1}", f"${head}:${head}")
     assert (sheet.page_setup.orientation, sheet.page_setup.paperSize) == ("landscape", 9)
 
 

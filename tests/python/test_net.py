@@ -84,7 +84,7 @@ def test_runs_slide_where_they_are_said_to():
     assert stretch["friction"] == pytest.approx(0.15)
     slips = [one for one in result.uncertain if one["parameter"] == "slip:100mm"]
     assert len(slips) == len(run["slides_at"])
-    assert taut.plan(ridge, result).is_feasible
+    assert taut.plan(result).is_feasible
 
 
 def test_struts_are_a_kind_of_edges(tmp_path):
