@@ -272,7 +272,7 @@ Args:
         through a node.
     slides_at: nodes of runs where the cable can slide, by the name of the run.
     friction: coefficient of friction there, by the name of the run. By default it is not known:
-        forms are those of 0, and identification reckons with any up to 0.1.
+        forms are those of 0, and identification assumes any up to 0.1.
     bending_stiffness: EI (m,), or one number, for tensions from frequencies [N m2].
     support_stiffness: of those supports that give way, by node: one number, three of the axes, or a
         matrix (3, 3) [N/m].

@@ -131,14 +131,13 @@ std::vector<CableRun> sliding_runs(const CableNet& net, Slides by) {
         const std::vector<std::vector<int>> paths = paths_of(net, edges);
         for (size_t k = 0; k < paths.size(); ++k) {
             CableRun run{.name = paths.size() > 1 ? fmt::format("{} ({})", name, k + 1) : name,
-                         .edges = paths[k]};
-            for (size_t i = 0; i + 1 < run.edges.size(); ++i) {
-                const Edge& next = net.edges()[run.edges[i + 1]];
-                for (const int node : net.edges()[run.edges[i]]) {
-                    if (std::ranges::find(next, node) != next.end() && net.free_index(node) >= 0 &&
-                        std::ranges::find(run.slides_at, node) == run.slides_at.end()) {
-                        run.slides_at.push_back(node);
-                    }
+                         .edges = paths[k],
+                         .slides_at = net.free_nodes()};
+            const std::vector<SlidingNode> passed = sliding_nodes_of(net.edges(), run);
+            run.slides_at.clear();
+            for (const SlidingNode& at : passed) {
+                if (std::ranges::find(run.slides_at, at.node) == run.slides_at.end()) {
+                    run.slides_at.push_back(at.node);
                 }
             }
             if (!run.slides_at.empty()) {

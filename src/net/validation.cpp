@@ -285,6 +285,9 @@ void check_runs(const CableNetData& data) {
             throw NetError("runs", {k},
                            fmt::format("friction is {}, expected a number of 0 to 10", given));
         }
+        if (slides_at.empty() && !ratios.empty()) {
+            throw NetError("runs", {k}, "has ratios, but no slides_at that they are of");
+        }
         if (slides_at.empty()) {
             continue;
         }

@@ -168,7 +168,7 @@ Description<StretchLength> describe(const StretchLength* /*type*/) {
                  return ids;
              })
         .key("nominal", &Stretch::nominal, size, "Unstressed length as designed [m].")
-        .key("friction", &Stretch::friction, size, "Largest coefficient that was reckoned with.")
+        .key("friction", &Stretch::friction, size, "Largest coefficient that the fit allowed for.")
         .key("length_deviation", &Stretch::length_deviation, "True minus nominal [m].")
         .key("std", &Stretch::std, size, "Standard deviation of that [m].")
         .key("tension", &Stretch::tension, "Mean of its edges [N].")

@@ -29,7 +29,7 @@ TEST(PlanOfASlidingCable, HoldsOnTheTrueNet) {
     double squares = 0.0;
     double inside = 0.0;
     for (int seed = 0; seed < surveys; ++seed) {
-        const CableNet built = ridge(0.1 * (seed + 0.5) / surveys);  // all that is reckoned with
+        const CableNet built = ridge(0.1 * (seed + 0.5) / surveys);  // all that taut assumes
         const test::SimulatedSurvey s =
             test::simulate(built, {LengthPrior::Kind::normal, 2e-3}, 0.5e-3, seed);
         const Identification found = identify(

@@ -113,6 +113,11 @@ TEST(CableRuns, ThatCannotSlideAreRefused) {
                     run.slides_at.clear();
                 }),
                 says("friction is nan, expected a number of 0 to 10"));
+    EXPECT_THAT(refused([](CableRun& run, CableNetData&) {
+                    run.ratios = {1.0, 1.0};
+                    run.slides_at.clear();
+                }),
+                says("has ratios, but no slides_at"));
     EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.ratios = {1.0}; }),
                 says("has 1 ratios, expected 2, one a node where it slides"));
     EXPECT_THAT(refused([](CableRun& run, CableNetData&) { run.ratios = {1.0, 0.0}; }),

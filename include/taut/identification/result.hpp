@@ -52,7 +52,7 @@ struct IdentifiedEdge {
 struct StretchLength {
     std::vector<int> edges;         ///< edge by edge, adjustable ones among them
     double nominal = 0.0;           ///< unstressed length as designed [m]
-    double friction = 0.0;          ///< largest coefficient that was reckoned with
+    double friction = 0.0;          ///< largest coefficient that the fit allowed for
     double length_deviation = 0.0;  ///< estimate of true minus nominal [m]
     double std = 0.0;               ///< standard deviation of the estimate [m]
     double tension = 0.0;           ///< mean of its edges [N]

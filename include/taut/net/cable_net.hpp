@@ -81,7 +81,7 @@ struct SlidingNode {
     int after;             ///< the next edge of the run
     double friction;       ///< coefficient of friction there
     double ratio;          ///< of the tensions behind and before it, in the middle
-    double most_friction;  ///< largest that identification reckons with
+    double most_friction;  ///< largest that identification allows for
 };
 
 /// A support that gives way: a free node on a spring, which pulls it back with K (r_0 - r).

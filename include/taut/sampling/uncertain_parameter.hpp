@@ -29,7 +29,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
         test_loads,      ///< one relative error of the known loads of a survey, Epoch::loads
         support_stiffness,  ///< logarithm of one factor of the stiffness of all elastic supports
         creep,              ///< strain that edges gain in common from one survey to the next
-        slip,  ///< length that has passed at each node where a run slides, beyond the design [m]
+        slip,               ///< length that has passed at each node where a run slides [m]
     };
     Kind kind = Kind::stiffness;  ///< what the numbers are
     double std = 0.0;             ///< standard deviation, in the unit of the kind
