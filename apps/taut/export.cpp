@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -86,8 +89,39 @@ void warn_of_laws(const ExportOptions& options, Exported& exported) {
     }
     if (exported.source.file.net.sags() && options.format != "net") {
         exported.warnings.emplace_back(
-            "this format has no cables that sag: their tensions are more than EA times the strain "
-            "between their nodes");
+            "no other program knows cables that sag: their tensions are more than EA times the "
+            "strain between their nodes");
+    }
+    const CableNet& net = exported.source.file.net;
+    if (options.format == "obj" && !(net.elastic_supports().empty() && net.data().runs.empty())) {
+        exported.warnings.emplace_back(
+            "obj has neither cable runs nor supports that give way: they are left out");
+    }
+    const CableNetData& data = net.data();
+    std::vector<std::string_view> absent;
+    for (const auto& [is_given, what] :
+         {std::pair(data.mass.size() > 0, "masses (their weight is among the loads)"),
+          {!data.groups.empty(), "groups"},
+          {data.expansion.size() > 0, "thermal expansion"},
+          {data.breaking_load.size() > 0, "breaking loads"},
+          {data.buckling_load.size() > 0, "buckling loads"},
+          {data.bending_stiffness.size() > 0, "bending stiffnesses"},
+          {!data.thread.empty(), "threads"}}) {
+        if (is_given && options.format != "net") {
+            absent.emplace_back(what);
+        }
+    }
+    if (!absent.empty()) {
+        exported.warnings.push_back(
+            fmt::format("left out of this format: {}", fmt::join(absent, ", ")));
+    }
+    const auto differs = [](const CableRun& run) {
+        return std::ranges::any_of(run.ratios, [](double ratio) { return ratio != 1.0; });
+    };
+    if (options.format != "net" && std::ranges::any_of(net.data().runs, differs)) {
+        exported.warnings.emplace_back(
+            "the ratios of tensions at nodes where cables slide are left out: read back, the net "
+            "slides to another form");
     }
 }
 

@@ -221,7 +221,11 @@ void print_identification(const CableNet& net, const SurveyOptions& options, con
     say("{}\n{}", counts_text(net), survey_text(net, options, survey));
     print_assumptions(result);
     say("method {}: {}\n  chosen because: {}\n\n", result.method, result.how, result.method_reason);
-    if (result.noise_ratio > 0.0) {
+    if (const auto [ratio, std] = result.scales.noise; ratio > 0.0 && std > 0.0) {
+        constexpr double to_95 = 1.96;
+        say("variance factor: {:.2f} (expected {:.2f} to {:.2f})\n", ratio,
+            std::max(1.0 - to_95 * std, 0.0), 1.0 + to_95 * std);
+    } else if (result.noise_ratio > 0.0) {
         say("variance factor: {:.2f}\n", result.noise_ratio);
     }
     say("edges: {} determined, {} weakly determined, {} not determined, {} slack\n",

@@ -122,15 +122,26 @@ def to_compas(net: _taut.CableNet, form: ArrayLike | None = None, like: Any = No
     return graph if like is None else _put_on(like, graph)
 
 
+def _given(names: list[str], attributes: list[Any]) -> list[str]:
+    """The names of attributes that any of the nodes or edges has."""
+    return [name for name in names if any(one.get(name) is not None for one in attributes)]
+
+
 def _put_on(like: Any, graph: Any) -> Any:
     """A copy of a Mesh or Graph with the places and forces of a graph that has its names."""
     is_mesh = hasattr(like, "vertices")
     result = like.copy()
     place = result.vertex_attributes if is_mesh else result.node_attributes
     keys = {str(key): key for key in (result.vertices() if is_mesh else result.nodes())}
-    of_edges = ["q", "f", "l", "l0", "EA", "is_slack", "is_adjustable"]
-    if any(graph.edge_attribute(edge, "is_strut") is not None for edge in graph.edges()):
-        of_edges.append("is_strut")
+    of_edges = _given(
+        ["q", "f", "l", "l0", "EA", "is_slack", "is_adjustable", "is_strut", "sag_weight", "run"]
+        + ["friction"],
+        [graph.edge_attributes(edge) for edge in graph.edges()],
+    )
+    of_nodes = _given(
+        ["x", "y", "z", "support_stiffness", "support_place", "slides"],
+        [graph.node_attributes(node) for node in graph.nodes()],
+    )
     names = {node: graph.node_attribute(node, "name") for node in graph.nodes()}
     absent = [name for name in names.values() if name not in keys]
     if absent:
@@ -139,7 +150,7 @@ def _put_on(like: Any, graph: Any) -> Any:
             "the structure that the net was made of"
         )
     for node, name in names.items():
-        place(keys[name], "xyz", graph.node_attributes(node, "xyz"))
+        place(keys[name], of_nodes, graph.node_attributes(node, of_nodes))
     edges = set(result.edges())
     for start, end in graph.edges():
         edge = keys[names[start]], keys[names[end]]

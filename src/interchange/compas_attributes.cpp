@@ -13,8 +13,9 @@ namespace taut {
 namespace {
 
 /// Those of an edge that mean something to taut.
-constexpr std::array<std::string_view, 12> understood{"q", "f", "force", "l",  "length", "l0",
-                                                      "E", "r", "EA",    "px", "py",     "pz"};
+constexpr std::array<std::string_view, 14> understood{"q",  "f",  "force",      "l",       "length",
+                                                      "l0", "E",  "r",          "EA",      "px",
+                                                      "py", "pz", "sag_weight", "friction"};
 
 }  // namespace
 

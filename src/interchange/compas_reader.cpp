@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "files/json_matrix.hpp"
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
 #include "interchange/compas_attributes.hpp"
@@ -111,12 +112,36 @@ private:
             for (const char* flag : {"is_anchor", "is_fixed", "is_support"}) {
                 node.is_support |= attributes.flag(flag, false);
             }
+            read_support_and_slides(attributes, node);
             m_index.emplace(id, static_cast<int>(m_structure.nodes.size()));
             const auto name = attributes.find("name");
             m_names.push_back(name && name->json().is_string() ? name->text() : "");
             m_structure.nodes.push_back(std::move(node));
         }
         take_names();
+    }
+
+    static void read_support_and_slides(const CompasAttributes& attributes, ImportedNode& node) {
+        const auto place = attributes.find("support_place");
+        if (const auto stiffness = attributes.find("support_stiffness")) {
+            node.support_stiffness = read_stiffness(*stiffness);
+        } else if (place) {
+            place->fail("is given without \"support_stiffness\"");
+        }
+        if (place) {
+            node.support_place = read_place(*place);
+        }
+        const auto slides = attributes.find("slides");
+        if (!slides) {
+            return;
+        }
+        if (!slides->json().is_array()) {
+            node.all_slide = slides->flag();
+            return;
+        }
+        for (size_t k = 0; k < slides->array_size("true, false or names of runs"); ++k) {
+            node.slides.push_back(slides->at(k).text());
+        }
     }
 
     /// Nodes go by their names where each has one of its own, else by their keys.
@@ -229,6 +254,10 @@ private:
             if (name && name->json().is_string() && !name->text().empty()) {
                 edge.id = name->text();
             }
+            const auto run = attributes.find("run");
+            edge.run = run ? key_of(*run) : "";
+            const auto type = attributes.find("type");
+            edge.is_beam = type && (type->json() == "beam" || type->json() == "strut");
             active.push_back(std::move(edge));
         }
         m_structure.edges = std::move(active);

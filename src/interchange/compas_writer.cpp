@@ -12,7 +12,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Keys are the indices of the nodes: names, which COMPAS would have to quote, are attributes.
-ordered_json nodes_json(const CableNet& net, const Points& form) {
+ordered_json nodes_json(const CableNet& net, const Points& form, const RunValues& runs) {
     ordered_json nodes = ordered_json::object();
     for (int node = 0; node < net.node_count(); ++node) {
         const auto load = net.loads().col(node);
@@ -20,12 +20,23 @@ ordered_json nodes_json(const CableNet& net, const Points& form) {
                                        {"z", form(2, node)}, {"is_support", net.is_support(node)},
                                        {"px", load.x()},     {"py", load.y()},
                                        {"pz", load.z()},     {"name", net.node_id(node)}};
+        ordered_json& written = nodes[std::to_string(node)];
+        if (const ElasticSupport* support = elastic_support_at(net, node); support != nullptr) {
+            for (const auto& row : support->stiffness.rowwise()) {
+                written["support_stiffness"].push_back({row(0), row(1), row(2)});
+            }
+            const Eigen::Vector3d& place = support->place;
+            written["support_place"] = {place.x(), place.y(), place.z()};
+        }
+        if (!runs.slides[node].empty()) {
+            written["slides"] = runs.slides[node];
+        }
     }
     return nodes;
 }
 
 /// COMPAS wants every node here, also those that no edge starts at.
-ordered_json edges_json(const CableNet& net, const FormValues& values) {
+ordered_json edges_json(const CableNet& net, const FormValues& values, const RunValues& runs) {
     const std::vector<bool> adjustable = adjustable_flags(net);
     ordered_json edges = ordered_json::object();
     for (int node = 0; node < net.node_count(); ++node) {
@@ -45,6 +56,15 @@ ordered_json edges_json(const CableNet& net, const FormValues& values) {
         if (net.has_struts()) {
             edge["is_strut"] = net.is_strut(e);
         }
+        if (net.sags()) {
+            edge["sag_weight"] = net.data().sag_weight(e);
+        }
+        if (!runs.of_edges[e].empty()) {
+            edge["run"] = runs.of_edges[e];
+        }
+        if (runs.friction[e]) {
+            edge["friction"] = *runs.friction[e];
+        }
     }
     return edges;
 }
@@ -53,14 +73,15 @@ ordered_json edges_json(const CableNet& net, const FormValues& values) {
 
 std::string form_to_compas(const CableNet& net, const Points& form) {
     const FormValues values = form_values(net, form);
+    const RunValues runs = run_values(net);
     const ordered_json document{
         {"dtype", "compas.datastructures/Graph"},
         {"data",
          {{"attributes", {{"name", net.name()}, {"force_unit", "N"}, {"length_unit", "m"}}},
           {"default_node_attributes", {{"x", 0.0}, {"y", 0.0}, {"z", 0.0}, {"is_support", false}}},
           {"default_edge_attributes", ordered_json::object()},
-          {"node", nodes_json(net, form)},
-          {"edge", edges_json(net, values)},
+          {"node", nodes_json(net, form, runs)},
+          {"edge", edges_json(net, values, runs)},
           {"max_node", net.node_count() - 1}}},
         {"name", net.name()}};
     try {

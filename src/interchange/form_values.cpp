@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "taut/statics/tensions.hpp"
@@ -28,6 +30,33 @@ FormValues form_values(const CableNet& net, const Points& form) {
     }
     values.force_densities = values.tensions.cwiseQuotient(values.lengths);
     return values;
+}
+
+RunValues run_values(const CableNet& net) {
+    RunValues values{.of_edges = std::vector<std::string>(net.edge_count()),
+                     .friction = std::vector<std::optional<double>>(net.edge_count()),
+                     .slides = std::vector<std::vector<std::string>>(net.node_count())};
+    std::set<std::string> taken;
+    const std::vector<CableRun>& runs = net.data().runs;
+    for (size_t k = 0; k < runs.size(); ++k) {
+        std::string name = runs[k].name.empty() ? fmt::format("run {}", k + 1) : runs[k].name;
+        if (!taken.insert(name).second) {
+            name += fmt::format(" ({})", k + 1);
+        }
+        for (const int edge : runs[k].edges) {
+            values.of_edges[edge] = name;
+            values.friction[edge] = runs[k].friction;
+        }
+        for (const int node : runs[k].slides_at) {
+            values.slides[node].push_back(name);
+        }
+    }
+    return values;
+}
+
+const ElasticSupport* elastic_support_at(const CableNet& net, int node) {
+    const auto found = std::ranges::find(net.elastic_supports(), node, &ElasticSupport::node);
+    return found == net.elastic_supports().end() ? nullptr : &*found;
 }
 
 std::vector<bool> adjustable_flags(const CableNet& net) {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "taut/net/cable_net.hpp"
 
@@ -26,6 +29,17 @@ struct FormValues {
 /// @throws std::invalid_argument for another size, a coordinate that is not finite, and an edge
 ///   without length
 [[nodiscard]] FormValues form_values(const CableNet& net, const Points& form);
+
+/// What is exported of the cable runs of a net. Runs without a name get one.
+struct RunValues {
+    std::vector<std::string> of_edges;             ///< m: name of the run, or empty
+    std::vector<std::optional<double>> friction;   ///< m: that of the run
+    std::vector<std::vector<std::string>> slides;  ///< n: names of the runs that slide there
+};
+[[nodiscard]] RunValues run_values(const CableNet& net);
+
+/// The elastic support at a node; null where there is none.
+[[nodiscard]] const ElasticSupport* elastic_support_at(const CableNet& net, int node);
 
 /// Whether each edge is adjustable.
 [[nodiscard]] std::vector<bool> adjustable_flags(const CableNet& net);

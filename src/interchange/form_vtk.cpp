@@ -69,8 +69,39 @@ std::string form_to_vtk(const CableNet& net, const Points& form) {
         result += scalars("is_strut", "int", m, [&](int e) { return int{net.is_strut(e)}; });
     }
     result += scalars("is_adjustable", "int", m, [&](int e) { return int{adjustable[e]}; });
+    const RunValues runs = run_values(net);
+    if (net.sags()) {
+        result += numbers("sag_weight", net.data().sag_weight);
+    }
+    if (!net.sliding_nodes().empty()) {
+        std::vector<int> run_of(static_cast<size_t>(m), -1);
+        for (size_t k = 0; k < net.data().runs.size(); ++k) {
+            for (const int e : net.data().runs[k].edges) {
+                run_of[e] = static_cast<int>(k);
+            }
+        }
+        result += scalars("run", "int", m, [&](int e) { return run_of[e]; });
+    }
     result += fmt::format("POINT_DATA {}\n", n);
     result += scalars("is_support", "int", n, [&](int i) { return net.is_support(i) ? 1 : 0; });
+    if (!net.sliding_nodes().empty()) {
+        result +=
+            scalars("slides", "int", n, [&](int i) { return runs.slides[i].empty() ? 0 : 1; });
+    }
+    if (!net.elastic_supports().empty()) {
+        Points places = form;
+        result += "TENSORS support_stiffness double\n";
+        for (int node = 0; node < n; ++node) {
+            const ElasticSupport* support = elastic_support_at(net, node);
+            Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+            if (support != nullptr) {
+                stiffness = support->stiffness;
+                places.col(node) = support->place;
+            }
+            result += triples(stiffness);
+        }
+        result += "VECTORS support_place double\n" + triples(places);
+    }
     return result + "VECTORS load double\n" + triples(net.loads());
 }
 

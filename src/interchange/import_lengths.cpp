@@ -27,7 +27,45 @@ struct Stored {
     ImportedForces forces;
     ImportedStiffness stiffness;
     std::optional<Eigen::VectorXd> unstressed;  ///< positive [m]
+    Eigen::VectorXd sag_weights;  ///< 0 of a straight cable, in the file's unit of force per metre
 };
+
+/// The law of a cable that sags, (sagging-law) of docs/theory.md.
+TensionLaw sagging_law(const Stored& stored, Eigen::Index edge, double unstressed,
+                       double force_unit) {
+    const double EA = stored.stiffness.tension(edge, 1.0, force_unit);
+    return {.name = "",
+            .strain = Eigen::Vector2d(0.0, 1.0),
+            .tension = Eigen::Vector2d(0.0, EA),
+            .sag = force_unit * stored.sag_weights(edge) * unstressed / std::sqrt(24.0)};
+}
+
+/// Tension of an edge of an unstressed length between its nodes [N].
+double tension_of(const Stored& stored, Eigen::Index edge, double unstressed, double force_unit,
+                  bool is_pressed) {
+    const double strain = stored.lengths(edge) / unstressed - 1.0;
+    if (stored.sag_weights(edge) > 0.0) {
+        return sagging_law(stored, edge, unstressed, force_unit).at(strain).tension;
+    }
+    return stored.stiffness.tension(edge, is_pressed ? strain : std::max(0.0, strain), force_unit);
+}
+
+/// l_0 of an edge under a tension: l / (1 + strain), where that of a cable that sags depends on
+/// l_0.
+double unstressed_length(const Stored& stored, Eigen::Index edge, double tension,
+                         double force_unit) {
+    const double length = stored.lengths(edge);
+    if (stored.sag_weights(edge) == 0.0) {
+        return length / (1.0 + stored.stiffness.strain(edge, tension, force_unit));
+    }
+    constexpr int enough = 100;
+    double result = length;
+    for (int k = 0; k < enough; ++k) {
+        const TensionLaw law = sagging_law(stored, edge, result, force_unit);
+        result = length / (1.0 + law.strain_at(tension));
+    }
+    return result;
+}
 
 Stored collect(const ImportedStructure& structure, const ImportSettings& settings,
                ImportReport& report) {
@@ -38,6 +76,22 @@ Stored collect(const ImportedStructure& structure, const ImportSettings& setting
     if (stored.unstressed && !(stored.unstressed->array() > 0.0).all()) {
         report.warnings.emplace_back("l0 is not positive at every edge: it is not used");
         stored.unstressed.reset();
+    }
+    stored.sag_weights.setZero(stored.lengths.size());
+    for (Eigen::Index e = 0; e < stored.lengths.size(); ++e) {
+        const auto& numbers = structure.edges[e].numbers;
+        if (const auto found = numbers.find("sag_weight"); found != numbers.end()) {
+            stored.sag_weights(e) = found->second;
+            if (!(found->second >= 0.0)) {
+                fail_at(structure, structure.edges[e],
+                        fmt::format("has the sag_weight {}, expected 0 or more", found->second));
+            }
+            if (found->second > 0.0 && !stored.stiffness.laws.empty()) {
+                fail_at(structure, structure.edges[e],
+                        "has a sag_weight, but a stress-strain curve, too: expected an axial "
+                        "stiffness or a modulus");
+            }
+        }
     }
     return stored;
 }
@@ -56,20 +110,18 @@ bool is_consistent(const Stored& stored, double force_unit) {
     const Eigen::VectorXd expected = tensions_in(stored, force_unit);
     double largest = 0.0;
     for (Eigen::Index e = 0; e < expected.size(); ++e) {
-        double strain = stored.lengths(e) / (*stored.unstressed)(e)-1.0;
-        strain = expected(e) < 0.0 ? strain : std::max(0.0, strain);
-        largest = std::max(largest,
-                           std::abs(stored.stiffness.tension(e, strain, force_unit) - expected(e)));
+        const double found =
+            tension_of(stored, e, (*stored.unstressed)(e), force_unit, expected(e) < 0.0);
+        largest = std::max(largest, std::abs(found - expected(e)));
     }
     return largest <= consistent_within * expected.cwiseAbs().mean();
 }
 
-/// l / (1 + strain at T)
 Eigen::VectorXd lengths_from_tensions(const Stored& stored, const Eigen::VectorXd& tensions,
                                       double force_unit) {
     Eigen::VectorXd result(tensions.size());
     for (Eigen::Index e = 0; e < tensions.size(); ++e) {
-        result(e) = stored.lengths(e) / (1.0 + stored.stiffness.strain(e, tensions(e), force_unit));
+        result(e) = unstressed_length(stored, e, tensions(e), force_unit);
     }
     return result;
 }
@@ -154,7 +206,7 @@ void check_strains(const ImportedStructure& structure, const Stored& stored,
         const auto& numbers = structure.edges[e].numbers;
         const auto strut = numbers.find("is_strut");
         const bool is_strut = is_pressed(e) || (strut != numbers.end() && strut->second != 0.0);
-        slack += strains(e) <= 0.0 && !is_strut ? 1 : 0;
+        slack += strains(e) <= 0.0 && !is_strut && stored.sag_weights(e) == 0.0 ? 1 : 0;
     }
     if (slack > 0 && stored.unstressed) {
         report.warnings.push_back(fmt::format("{} edges are slack in the given form", slack));
@@ -211,13 +263,18 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
             "the file gives no forces: unstressed lengths are the lengths, no edge is in tension");
         result.unstressed = stored.lengths;
     } else {
+        const bool are_linear = stored.stiffness.laws.empty() && stored.sag_weights.isZero(0.0);
         report.read.push_back(fmt::format("unstressed lengths: l / (1 + {}), tensions T by {}",
-                                          stored.stiffness.laws.empty() ? "T/EA" : "strain at T",
+                                          are_linear ? "T/EA" : "strain at T",
                                           stored.forces.source == "q" ? "q l" : "f"));
         result.unstressed =
-            stored.stiffness.laws.empty()
-                ? unstressed_lengths_for(stored.lengths, tensions, result.axial_stiffness)
-                : lengths_from_tensions(stored, tensions, force_unit);
+            are_linear ? unstressed_lengths_for(stored.lengths, tensions, result.axial_stiffness)
+                       : lengths_from_tensions(stored, tensions, force_unit);
+    }
+    if (!stored.sag_weights.isZero(0.0)) {
+        result.sag_weight = force_unit * stored.sag_weights;
+        report.read.push_back(fmt::format("{} cables sag, by sag_weight",
+                                          (stored.sag_weights.array() > 0.0).count()));
     }
     check_strains(structure, stored, result.unstressed, report);
     return result;

@@ -17,6 +17,7 @@ struct ImportedLengths {
     Eigen::VectorXd unstressed;    ///< [m]
     double force_unit = 1.0;       ///< [N]
     std::vector<bool> is_pressed;  ///< whether the file has each edge in compression
+    Eigen::VectorXd sag_weight;    ///< as in CableNetData; empty if no cable sags [N/m]
 };
 
 /// Axial stiffnesses, the file's unit of force and unstressed lengths. The report says what was

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "interchange/import_numbers.hpp"
 #include "net/sliding_nodes.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/net/cable_runs.hpp"
@@ -148,8 +150,86 @@ std::vector<CableRun> sliding_runs(const CableNet& net, Slides by) {
     return runs;
 }
 
-CableNet with_sliding_runs(const CableNet& net, Slides by, const std::string& file,
+/// The runs that the edges name, sliding where the nodes say so.
+std::vector<CableRun> runs_of(const CableNet& net, const ImportedStructure& structure) {
+    std::map<std::string, std::vector<int>> edges_of;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (const std::string& run = structure.edges[e].run; !run.empty()) {
+            edges_of[run].push_back(e);
+        }
+    }
+    std::vector<CableRun> runs;
+    for (const auto& [name, edges] : edges_of) {
+        const std::vector<std::vector<int>> paths = paths_of(net, edges);
+        if (edges.size() > 1 && (paths.size() != 1 || paths[0].size() != edges.size())) {
+            fail_at(structure, structure.edges[edges[0]],
+                    fmt::format("is part of the run '{}', whose edges do not follow each other "
+                                "along one cable",
+                                name));
+        }
+        std::vector<int> everywhere(static_cast<size_t>(net.node_count()));  // on saddles, too
+        std::iota(everywhere.begin(), everywhere.end(), 0);
+        CableRun run{.name = name,
+                     .edges = edges.size() > 1 ? paths[0] : edges,
+                     .slides_at = std::move(everywhere)};
+        const std::vector<SlidingNode> passed = sliding_nodes_of(net.edges(), run);
+        run.slides_at.clear();
+        for (const SlidingNode& at : passed) {
+            const ImportedNode& node = structure.nodes[at.node];
+            if (node.all_slide || std::ranges::find(node.slides, name) != node.slides.end()) {
+                run.slides_at.push_back(at.node);
+            }
+        }
+        for (const int edge : edges) {
+            const auto& numbers = structure.edges[edge].numbers;
+            const auto found = numbers.find("friction");
+            if (found == numbers.end()) {
+                continue;
+            }
+            if (run.friction && *run.friction != found->second) {
+                fail_at(structure, structure.edges[edge],
+                        fmt::format("has the friction {}, but an edge of the same run has {}",
+                                    found->second, *run.friction));
+            }
+            run.friction = found->second;
+        }
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+/// The net with runs. A broken rule is reported in the name of the run.
+CableNet with_runs(const CableNet& net, std::vector<CableRun> runs, const std::string& file) {
+    CableNetData data = net.data();
+    data.runs = std::move(runs);
+    try {
+        return CableNet(data);
+    } catch (const NetError& error) {
+        const bool is_known = error.field() == "runs" && !error.index().empty();
+        throw InputError(
+            file, "",
+            is_known
+                ? fmt::format("run '{}' {}", data.runs[error.index().front()].name, error.problem())
+                : error.what());
+    }
+}
+
+CableNet with_sliding_runs(const CableNet& net, Slides by, const ImportedStructure& structure,
                            ImportReport& report) {
+    const std::string& file = structure.file;
+    const bool gives_runs = std::ranges::any_of(
+        structure.edges, [](const ImportedEdge& edge) { return !edge.run.empty(); });
+    if (gives_runs && by == Slides::none) {
+        CableNet result = with_runs(net, runs_of(net, structure), file);
+        report.read.push_back(fmt::format("{} runs of cable, which slide {} times through a node",
+                                          result.data().runs.size(),
+                                          result.sliding_nodes().size()));
+        return result;
+    }
+    if (gives_runs) {
+        report.left_out.emplace_back(
+            "the runs of the file, in place of which others are asked for");
+    }
     if (by == Slides::none) {
         const size_t named = sliding_runs(net, Slides::names).size();
         const size_t straight = sliding_runs(net, Slides::straight).size();
@@ -162,9 +242,8 @@ CableNet with_sliding_runs(const CableNet& net, Slides by, const std::string& fi
                       named, straight));
         return net;
     }
-    CableNetData data = net.data();
-    data.runs = sliding_runs(net, by);
-    if (data.runs.empty()) {
+    std::vector<CableRun> runs = sliding_runs(net, by);
+    if (runs.empty()) {
         throw InputError(file, "",
                          by == Slides::names
                              ? "names no cable that slides, expected two edges or more of one name "
@@ -172,13 +251,13 @@ CableNet with_sliding_runs(const CableNet& net, Slides by, const std::string& fi
                              : "has no cable that goes straight on through a free node");
     }
     size_t edges = 0;
-    for (const CableRun& run : data.runs) {
+    for (const CableRun& run : runs) {
         edges += run.edges.size();
     }
     report.assumed.push_back(fmt::format(
         "{} cables of {} edges slide through their nodes, with a friction that is not known",
-        data.runs.size(), edges));
-    CableNet result(std::move(data));
+        runs.size(), edges));
+    CableNet result = with_runs(net, std::move(runs), file);
     constexpr double alike = 1.02;
     if (const double ratio = largest_ratio(result); ratio > alike) {
         report.warnings.push_back(

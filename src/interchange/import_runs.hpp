@@ -12,9 +12,11 @@ namespace taut {
 ///   net that gives none
 [[nodiscard]] std::vector<CableRun> sliding_runs(const CableNet& net, ImportSettings::Slides by);
 
-/// The net with these cables, where the settings ask for them, and a line about them; else a line
-/// about what slides in many structures, and how to ask for it.
+/// The net with these cables, where the settings ask for them, or with the runs that the file
+/// names, and a line about them; else a line about what slides in many structures, and how to ask
+/// for it.
+/// @param structure that the net was made of, edge by edge
 [[nodiscard]] CableNet with_sliding_runs(const CableNet& net, ImportSettings::Slides by,
-                                         const std::string& file, ImportReport& report);
+                                         const ImportedStructure& structure, ImportReport& report);
 
 }  // namespace taut

@@ -16,7 +16,9 @@ void check(const ImportedStructure& structure) {
         throw InputError(structure.file, "",
                          fmt::format("the {} holds no edges", structure.format));
     }
-    if (std::ranges::none_of(structure.nodes, &ImportedNode::is_support)) {
+    if (std::ranges::none_of(structure.nodes, [](const ImportedNode& node) {
+            return node.is_support || node.support_stiffness;
+        })) {
         throw InputError(structure.file, "",
                          "marks no supports (is_anchor, is_fixed, is_support, or is_free 0): name "
                          "them, or take the boundary");
@@ -38,7 +40,7 @@ ImportedStructure select_net(const ImportedStructure& structure, ImportReport& r
     };
     ImportedStructure net = structure;
     std::erase_if(net.edges, [&node](const ImportedEdge& edge) {
-        return node(edge.s).is_support && node(edge.t).is_support;
+        return node(edge.s).is_rigid() && node(edge.t).is_rigid();
     });
     std::vector<int> new_index(structure.nodes.size(), -1);
     for (const ImportedEdge& edge : net.edges) {

@@ -89,6 +89,34 @@ private:
 
 using NodeOf = std::map<std::string, int>;
 
+/// What stands between semicolons.
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = std::min(text.find(';', at), text.size());
+        parts.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return parts;
+}
+
+/// Stiffness and place of a support that gives way; empty fields where it is rigid.
+void read_support(const Table& table, ImportedNode& node) {
+    const auto first = table.column("kxx");
+    if (!first || table.field(*first).empty()) {
+        return;
+    }
+    const auto number = [&table](const char* name) { return table.number(name, 0.0); };
+    const double xy = number("kxy");
+    const double xz = number("kxz");
+    const double yz = number("kyz");
+    node.support_stiffness =
+        Eigen::Matrix3d{{number("kxx"), xy, xz}, {xy, number("kyy"), yz}, {xz, yz, number("kzz")}};
+    if (const auto x = table.column("x0"); x && !table.field(*x).empty()) {
+        node.support_place = Eigen::Vector3d(number("x0"), number("y0"), number("z0"));
+    }
+}
+
 NodeOf read_nodes(std::string_view text, ImportedStructure& structure) {
     Table table(text, structure.file, {"id", "x", "y", "z"});
     const bool has_displacements = table.column("u") && table.column("v") && table.column("w");
@@ -111,6 +139,10 @@ NodeOf read_nodes(std::string_view text, ImportedStructure& structure) {
         }
         node.load = {table.number("px", 0.0), table.number("py", 0.0), table.number("pz", 0.0)};
         node.is_support = table.number("is_free", 1.0) == 0.0;
+        read_support(table, node);
+        if (const auto slides = table.column("slides"); slides) {
+            node.slides = parts_of(table.field(*slides));
+        }
         structure.nodes.push_back(std::move(node));
     }
     if (any_displaced) {
@@ -126,6 +158,8 @@ void read_attributes(const Table& table, size_t first, ImportedEdge& edge) {
         const std::string& name = table.names()[column];
         if (name == "id") {
             edge.id = table.field(column);
+        } else if (name == "run") {
+            edge.run = table.field(column);
         } else if (!table.field(column).empty()) {
             edge.numbers[name] = table.number(column);
         }
@@ -167,6 +201,7 @@ void read_edges(std::string_view text, const std::string& file_name, const NodeO
     for (ImportedEdge& edge : structure.edges) {
         ImportedEdge& record = records.at({edge.s, edge.t});
         edge.numbers = std::move(record.numbers);
+        edge.run = std::move(record.run);
         edge.id = record.id.empty() ? edge.id : record.id;
     }
 }

@@ -23,6 +23,16 @@
 namespace taut {
 namespace {
 
+std::vector<int> nodes_that_give_way(const ImportedStructure& structure) {
+    std::vector<int> result;
+    for (size_t i = 0; i < structure.nodes.size(); ++i) {
+        if (structure.nodes[i].support_stiffness) {
+            result.push_back(static_cast<int>(i));
+        }
+    }
+    return result;
+}
+
 /// The net. A broken rule is reported in the names of the file.
 CableNet make_net(const ImportedStructure& structure, CableNetData data) {
     try {
@@ -33,8 +43,10 @@ CableNet make_net(const ImportedStructure& structure, CableNetData data) {
             if (error.field() == "edges") {
                 fail_at(structure, structure.edges[i], error.problem());
             }
-            if (error.field() == "nodes" || error.field() == "loads") {
-                const ImportedNode& node = structure.nodes[i];
+            const bool is_elastic = error.field() == "elastic_supports";
+            if (is_elastic || error.field() == "nodes" || error.field() == "loads") {
+                const ImportedNode& node =
+                    structure.nodes[is_elastic ? nodes_that_give_way(structure)[i] : i];
                 throw InputError(structure.file, node.place,
                                  fmt::format("node {} {}", node.id, error.problem()));
             }
@@ -52,7 +64,7 @@ CableNetData data_of(const ImportedStructure& structure) {
         const ImportedNode& node = structure.nodes[i];
         data.nodes.col(static_cast<Eigen::Index>(i)) = node.position;
         data.node_ids.push_back(node.id);
-        if (node.is_support) {
+        if (node.is_rigid()) {
             data.supports.push_back(static_cast<int>(i));
         }
     }
@@ -61,6 +73,41 @@ CableNetData data_of(const ImportedStructure& structure) {
         data.edge_ids.push_back(edge.id);
     }
     return data;
+}
+
+void add_elastic_supports(const ImportedStructure& structure, double force_unit, CableNetData& data,
+                          ImportReport& report) {
+    for (const int i : nodes_that_give_way(structure)) {
+        const ImportedNode& node = structure.nodes[i];
+        data.elastic_supports.push_back({.node = i,
+                                         .stiffness = force_unit * *node.support_stiffness,
+                                         .place = node.support_place.value_or(node.position)});
+    }
+    if (!data.elastic_supports.empty()) {
+        report.read.push_back(fmt::format("{} supports give way, by support_stiffness",
+                                          data.elastic_supports.size()));
+    }
+}
+
+/// Places without load, where the file gives none: there the springs balance the given form.
+CableNet with_places_in_balance(const ImportedStructure& structure, const CableNet& net,
+                                ImportReport& report) {
+    const CableNet balanced = with_supports_in_balance(net);
+    CableNetData data = net.data();
+    int moved = 0;
+    for (size_t k = 0; k < data.elastic_supports.size(); ++k) {
+        ElasticSupport& support = data.elastic_supports[k];
+        if (!structure.nodes[support.node].support_place) {
+            support.place = balanced.elastic_supports()[k].place;
+            ++moved;
+        }
+    }
+    if (moved == 0) {
+        return net;
+    }
+    report.assumed.push_back(fmt::format(
+        "{} supports that give way stand in balance in the given form (no support_place)", moved));
+    return make_net(structure, std::move(data));
 }
 
 /// Names of edges are free text: where two are alike, all edges go by their nodes.
@@ -92,7 +139,9 @@ std::vector<int> adjustable_of(const ImportedStructure& structure, const CableNe
         return adjustable;
     }
     report.assumed.emplace_back("adjustable edges: those at supports");
-    return edges_at_supports(data.edges, data.supports);
+    std::vector<int> supports = data.supports;
+    std::ranges::move(nodes_that_give_way(structure), std::back_inserter(supports));
+    return edges_at_supports(data.edges, supports);
 }
 
 /// By is_strut of the file, else those in compression.
@@ -119,13 +168,19 @@ std::vector<EdgeKind> kinds_of(const ImportedStructure& structure,
         return kinds;
     }
     const auto pressed = std::ranges::count(is_pressed, true);
-    if (pressed == 0) {
-        return kinds;
+    const auto beams = std::ranges::count(structure.edges, true, &ImportedEdge::is_beam);
+    for (size_t e = 0; e < kinds.size(); ++e) {
+        if (is_pressed[e] || structure.edges[e].is_beam) {
+            kinds[e] = EdgeKind::strut;
+        }
     }
-    std::ranges::transform(is_pressed, kinds.begin(), [](bool pressed_one) {
-        return pressed_one ? EdgeKind::strut : EdgeKind::cable;
-    });
-    report.assumed.push_back(fmt::format("struts: the {} edges in compression", pressed));
+    if (beams > 0) {
+        report.assumed.push_back(fmt::format(
+            "struts: the {} edges of type beam or strut, which taut does not bend", beams));
+    }
+    if (pressed > 0) {
+        report.assumed.push_back(fmt::format("struts: the {} edges in compression", pressed));
+    }
     if (2 * pressed > std::ssize(kinds)) {
         report.warnings.push_back(
             fmt::format("{} of {} edges are in compression, and become struts. Is a negative force "
@@ -168,7 +223,6 @@ Points balancing_loads(const CableNet& net) {
 /// Names the ends of single cables, which only a load holds: in the structure a strut, a beam or a
 /// support may.
 void warn_of_loose_ends(const CableNet& net, ImportReport& report) {
-    constexpr size_t named = 6;
     std::vector<std::string> ends;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double largest = 0.0;
@@ -183,14 +237,11 @@ void warn_of_loose_ends(const CableNet& net, ImportReport& report) {
     if (ends.empty()) {
         return;
     }
-    const size_t count = ends.size();
-    ends.resize(std::min(count, named));
     report.warnings.push_back(fmt::format(
-        "only the loads of 'balance' hold {} {}{}, where one cable ends: up to {:.3g} N, together "
+        "only the loads of 'balance' hold {} {}, where one cable ends: up to {:.3g} N, together "
         "({:.3g}, {:.3g}, {:.3g}) N. Does a strut, a beam or a support hold it that the net does "
         "not have?",
-        count == 1 ? "node" : "nodes", fmt::join(ends, ", "),
-        count > named ? fmt::format(" and {} more", count - named) : "", largest, sum.x(), sum.y(),
+        ends.size() == 1 ? "node" : "nodes", fmt::join(ends, ", "), largest, sum.x(), sum.y(),
         sum.z()));
 }
 
@@ -224,18 +275,23 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
     data.tension_law = lengths.tension_law;
     data.unstressed_lengths = lengths.unstressed;
     data.kind = kinds_of(selected, lengths.is_pressed, report);
+    data.sag_weight = lengths.sag_weight;
+    add_elastic_supports(selected, lengths.force_unit, data, report);
     report.assumed.emplace_back("coordinates are in m");
     if (settings.loads == ImportSettings::Loads::file) {
         data.loads = loads_of_file(selected, lengths.force_unit, report);
     }
     CableNet net = make_net(selected, std::move(data));
+    if (!net.elastic_supports().empty()) {
+        net = with_places_in_balance(selected, net, report);
+    }
     if (settings.loads == ImportSettings::Loads::balance) {
         data = net.data();
         data.loads = balancing_loads(net);
         net = make_net(selected, std::move(data));
         warn_of_loose_ends(net, report);
     }
-    net = with_sliding_runs(net, settings.slides, structure.file, report);
+    net = with_sliding_runs(net, settings.slides, selected, report);
     describe(net, report);
     return {.net = net, .report = std::move(report)};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "files/json_matrix.hpp"
 #include "files/json_parse.hpp"
 #include "files/json_value.hpp"
 #include "files/message.hpp"
@@ -220,29 +221,6 @@ std::vector<CableRun> read_runs(const std::optional<JsonValue>& list) {
     return runs;
 }
 
-Eigen::Matrix3d read_stiffness(const JsonValue& value) {
-    constexpr const char* expected =
-        "null, a number, three numbers [x, y, z] or a matrix of 3 x 3 [N/m]";
-    if (value.json().is_number()) {
-        return value.number() * Eigen::Matrix3d::Identity();
-    }
-    value.require_array(3, expected);
-    Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
-    const bool is_matrix = value.at(0).json().is_array();
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const JsonValue row = value.at(static_cast<size_t>(i));
-        if (!is_matrix) {
-            result(i, i) = row.number();
-            continue;
-        }
-        row.require_array(3, expected);
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            result(i, k) = row.at(static_cast<size_t>(k)).number();
-        }
-    }
-    return result;
-}
-
 /// Whether places follow from the nominal form, with_supports_in_balance().
 bool are_balanced(const JsonValue& places) {
     return places.json().is_string() && places.text() == "balanced";
@@ -288,11 +266,7 @@ void read_elastic_supports(const JsonValue& root, CableNetData& data) {
                                .stiffness = read_stiffness(stiffness),
                                .place = data.nodes.col(all[i])};
         if (has_place) {
-            const JsonValue place = places->at(i);
-            place.require_array(3, "three numbers [x, y, z], or null");
-            for (Eigen::Index k = 0; k < 3; ++k) {
-                support.place(k) = place.at(static_cast<size_t>(k)).number();
-            }
+            support.place = read_place(places->at(i));
         }
         data.elastic_supports.push_back(support);
     }

@@ -11,9 +11,11 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "support/examples.hpp"
+#include "taut/design/builtin_nets.hpp"
 #include "taut/interchange/compas_json.hpp"
 #include "taut/interchange/form_vtk.hpp"
 #include "taut/interchange/net_csv.hpp"
@@ -80,6 +82,78 @@ TEST(Exports, ToCsvComeBackToTheLastBit) {
     expect_same(import(parse_net_csv(form_to_net_csv(net, net.nodes()), "n.csv", "e.csv")), net);
 }
 
+/// A ridge that slides with friction, on supports of which two give way, with cables that sag.
+CableNet net_as_built() {
+    CableNetData data = sliding_ridge().data();
+    data.runs[0].friction = 0.07;
+    data.sag_weight = Eigen::VectorXd::Constant(std::ssize(data.edges), 4.0);
+    data.sag_weight(3) = 0.0;
+    Eigen::Matrix3d stiffness = 2e5 * Eigen::Matrix3d::Identity();
+    stiffness(0, 1) = stiffness(1, 0) = 3e4;
+    for (int k = 0; k < 2; ++k) {
+        const int node = data.supports.back();
+        data.supports.pop_back();
+        data.elastic_supports.push_back(
+            {.node = node, .stiffness = (1.0 + k) * stiffness, .place = data.nodes.col(node)});
+    }
+    const Equilibrium equilibrium = solve_equilibrium(CableNet(data));
+    EXPECT_TRUE(equilibrium.balanced());
+    data.nodes = equilibrium.form;
+    data.unstressed_lengths = equilibrium.unstressed_lengths;
+    return CableNet(std::move(data));
+}
+
+/// Supports, sag and runs are the same, of edges by their names.
+void expect_as_built(const CableNet& found, const CableNet& net) {
+    ASSERT_EQ(found.elastic_supports().size(), net.elastic_supports().size());
+    for (const ElasticSupport& support : net.elastic_supports()) {
+        const int node = found.find_node(net.node_id(support.node));
+        const auto same = std::ranges::find(found.elastic_supports(), node, &ElasticSupport::node);
+        ASSERT_NE(same, found.elastic_supports().end());
+        EXPECT_EQ(same->stiffness, support.stiffness);
+        EXPECT_EQ(same->place, support.place);
+    }
+    const Eigen::VectorXd expected = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd tension = tensions(found, found.unstressed_lengths(), found.nodes());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const int there = found.find_edge(net.edge_id(e));
+        ASSERT_GE(there, 0);
+        EXPECT_EQ(found.data().sag_weight(there), net.data().sag_weight(e));
+        EXPECT_EQ(found.unstressed_lengths()(there), net.unstressed_lengths()(e));
+        EXPECT_NEAR(tension(there), expected(e), 1e-9 * expected.maxCoeff());
+    }
+    const auto runs_of = [](const CableNet& of) {
+        std::set<std::tuple<std::set<std::string>, std::set<std::string>, double>> runs;
+        for (const CableRun& run : of.data().runs) {
+            std::set<std::string> edges;
+            std::set<std::string> nodes;
+            for (const int edge : run.edges) {
+                edges.insert(of.edge_id(edge));
+            }
+            for (const int node : run.slides_at) {
+                nodes.insert(of.node_id(node));
+            }
+            runs.emplace(edges, nodes, run.friction.value_or(-1.0));
+        }
+        return runs;
+    };
+    EXPECT_EQ(runs_of(found), runs_of(net));
+    EXPECT_EQ(found.adjustable_edges().size(), net.adjustable_edges().size());
+    EXPECT_EQ(found.nodes().col(0), net.nodes().col(0));
+    EXPECT_TRUE(solve_equilibrium(found).form.isApprox(net.nodes(), 1e-9));
+}
+
+TEST(Exports, ToCompasBringBackSupportsThatGiveWaySagAndRuns) {
+    const CableNet net = net_as_built();
+    expect_as_built(import(parse_compas(form_to_compas(net, net.nodes()), "net.json")), net);
+}
+
+TEST(Exports, ToCsvBringBackSupportsThatGiveWaySagAndRuns) {
+    const CableNet net = net_as_built();
+    expect_as_built(import(parse_net_csv(form_to_net_csv(net, net.nodes()), "n.csv", "e.csv")),
+                    net);
+}
+
 TEST(Exports, ToObjComeBackAsFarAsObjGoes) {
     const CableNet net = net_with_everything();
     const ImportedStructure back = parse_obj(form_to_obj(net, net.nodes()), "net.obj");
@@ -117,10 +191,10 @@ TEST(Exports, OfATensionLawHoldTheStiffnessWithWhichOthersFindItsTension) {
     EXPECT_TRUE(found.isApprox(expected, 1e-9));
 }
 
-TEST(Exports, ToVtkHoldAsManyNumbersAsTheirHeadersSay) {
-    const CableNet net = net_with_everything();
+/// Lines of numbers below each heading.
+std::map<std::string, int> vtk_lines(const CableNet& net) {
     std::istringstream file(form_to_vtk(net, net.nodes()));
-    std::map<std::string, int> lines;  // of numbers below each heading
+    std::map<std::string, int> lines;
     std::string heading;
     for (std::string line; std::getline(file, line);) {
         const bool is_number = line.find_first_not_of("0123456789-.e+ ") == std::string::npos;
@@ -130,6 +204,22 @@ TEST(Exports, ToVtkHoldAsManyNumbersAsTheirHeadersSay) {
             heading = line;
         }
     }
+    return lines;
+}
+
+TEST(Exports, ToVtkHoldWhatSagsSlidesAndGivesWay) {
+    const CableNet net = net_as_built();
+    auto lines = vtk_lines(net);
+    EXPECT_EQ(lines["SCALARS sag_weight double 1"], net.edge_count());
+    EXPECT_EQ(lines["SCALARS run int 1"], net.edge_count());
+    EXPECT_EQ(lines["SCALARS slides int 1"], net.node_count());
+    EXPECT_EQ(lines["TENSORS support_stiffness double"], 3 * net.node_count());
+    EXPECT_EQ(lines["VECTORS support_place double"], net.node_count());
+}
+
+TEST(Exports, ToVtkHoldAsManyNumbersAsTheirHeadersSay) {
+    const CableNet net = net_with_everything();
+    auto lines = vtk_lines(net);
     const int n = net.node_count();
     const int m = net.edge_count();
     EXPECT_EQ(lines["POINTS " + std::to_string(n) + " double"], n);

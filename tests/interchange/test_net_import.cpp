@@ -225,6 +225,64 @@ TEST(ImportNet, TellsPressedStrutsFromSlackCablesAndRoundingErrors) {
     EXPECT_THAT(import(file).report.warnings, testing::Not(Contains(HasSubstr("slack"))));
 }
 
+TEST(ImportNet, MakesStrutsOfBeams) {
+    json file = old_compas_mesh();
+    file["edgedata"]["(4, 0)"]["type"] = "beam";
+    const ImportedNet imported = import(file);
+    EXPECT_TRUE(imported.net.is_strut(0));
+    EXPECT_THAT(imported.report.assumed,
+                Contains("struts: the 1 edges of type beam or strut, which taut does not bend"));
+}
+
+TEST(ImportNet, LetsSupportsGiveWayInBalanceWithTheGivenForm) {
+    json file = old_compas_mesh();
+    file["vertex"]["0"]["support_stiffness"] = 2.0;
+    const ImportedNet imported = import(file, {.force_unit = 1e3, .loads = Loads::balance});
+    const CableNet& net = imported.net;
+    ASSERT_EQ(net.elastic_supports().size(), 1U);
+    EXPECT_EQ(net.elastic_supports()[0].stiffness, 2e3 * Eigen::Matrix3d::Identity());
+    EXPECT_THAT(imported.report.assumed,
+                Contains(HasSubstr("1 supports that give way stand in balance")));
+    // The cable of q = 3 kN/m and 1.5 m pulls it.
+    const Eigen::Vector3d shift = net.elastic_supports()[0].place - net.nodes().col(0);
+    EXPECT_NEAR(shift.norm(), 3.0 * 1.5 / 2.0, 1e-12);
+    EXPECT_NEAR(net.loads().col(0).norm(), 0.0, 1e-9);
+    EXPECT_EQ(net.adjustable_edges().size(), 4U);
+
+    file["vertex"]["0"]["support_place"] = {1.0, 2.0, 3.0};
+    EXPECT_EQ(import(file).net.elastic_supports()[0].place, Eigen::Vector3d(1.0, 2.0, 3.0));
+    file["vertex"]["0"]["support_stiffness"] = -2.0;
+    EXPECT_THAT(error(file), HasSubstr("/vertex/0: node 0"));
+    file["vertex"]["0"].erase("support_stiffness");
+    EXPECT_THAT(error(file), HasSubstr("/vertex/0/support_place: is given without"));
+}
+
+TEST(ImportNet, RefusesRunsThatAreNoCable) {
+    json file = json::parse(form_to_compas(sliding_ridge(), sliding_ridge().nodes()));
+    const CableNet net = import(file).net;
+    ASSERT_EQ(net.sliding_nodes().size(), sliding_ridge().sliding_nodes().size());
+    // All runs that pass, and a number for a name.
+    for (const auto& [key, node] : file["data"]["node"].items()) {
+        node.erase("slides");
+        node["slides"] = true;
+    }
+    EXPECT_GE(import(file).net.sliding_nodes().size(), net.sliding_nodes().size());
+    json* in_run = nullptr;
+    json* in_none = nullptr;
+    for (const auto& [from, neighbours] : file["data"]["edge"].items()) {
+        for (const auto& [to, edge] : neighbours.items()) {
+            (edge.contains("run") ? in_run : in_none) = &edge;
+        }
+    }
+    ASSERT_TRUE(in_run != nullptr && in_none != nullptr);
+    const json friction = (*in_run)["friction"];
+    (*in_run)["friction"] = 0.2;
+    EXPECT_THAT(error(file), HasSubstr("has the friction 0.2, but an edge of the same run has"));
+    (*in_run)["friction"] = friction;
+    (*in_none)["run"] = (*in_run)["run"];
+    EXPECT_THAT(error(file), HasSubstr("whose edges do not follow each other along one cable"));
+}
+
 TEST(ImportNet, AsksForTheSignOfForcesWhereMostEdgesAreInCompression) {
     json file = old_compas_mesh();
     file["dea"]["q"] = -1.0;

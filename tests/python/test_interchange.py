@@ -41,6 +41,32 @@ def test_a_mesh_becomes_a_net_and_goes_back():
     assert np.abs(back.unstressed_lengths - net.unstressed_lengths).max() < 1e-9
 
 
+def test_attributes_of_a_mesh_say_what_gives_way_sags_and_slides():
+    mesh = grid()
+    spring = np.diag([2e5, 2e5, 4e5]).tolist()
+    mesh.vertex_attribute(3, "support_stiffness", spring)
+    for edge in zip(range(21, 27), range(22, 28), strict=True):
+        mesh.edge_attributes(edge, ["run", "sag_weight"], ["middle", 5.0])
+    mesh.vertex_attribute(24, "slides", True)
+    mesh.vertex_attribute(25, "slides", ["middle"])
+    net = taut.CableNet.from_compas(mesh, axial_stiffness=200e3)
+    node = [net.node_id(k) for k in range(len(net.nodes))].index("3")
+    assert net.support_stiffness[node].tolist() == spring
+    form = taut.solve_equilibrium(net).form
+    assert np.abs(form - net.nodes).max() < 1e-6, "springs stand so that the form is in balance"
+    assert (np.array(net.to_dict()["sag_weight"]) > 0.0).sum() == 6
+    (run,) = net.to_dict()["runs"]
+    assert [net.node_id(k) for k in sorted(run["slides_at"])] == ["24", "25"]
+
+    back = net.to_compas(form, like=mesh)
+    assert back.vertex_attribute(3, "support_stiffness") == spring
+    assert back.vertex_attribute(24, "slides") == ["middle"]
+    again = taut.CableNet.from_compas(back)
+    assert again.support_place[node] == pytest.approx(net.support_place[node], abs=1e-12)
+    assert again.unstressed_lengths == pytest.approx(net.unstressed_lengths, abs=1e-9)
+    assert again.to_dict()["runs"][0]["slides_at"] == run["slides_at"]
+
+
 @pytest.mark.parametrize("is_mesh", [True, False])
 def test_a_structure_comes_back_as_it_was_with_the_form(is_mesh):
     mesh = grid()

@@ -50,6 +50,8 @@ export function madeCell(plan: Plan, index: number, notebook: Notebook): HTMLEle
     strokes[index] = stroke;
     notebook.change({ strokes });
   };
+  // Millimetres entered for turns are seen beside what was planned.
+  const meant = h("small", { class: "meant" });
   const isRefused = (): boolean => value.getAttribute("aria-invalid") === "true";
   done.addEventListener("change", () => set(done.checked && !isRefused() ? turn.stroke : null));
   value.addEventListener("change", () => {
@@ -69,10 +71,12 @@ export function madeCell(plan: Plan, index: number, notebook: Notebook): HTMLEle
     const stroke = notebook.notes.strokes?.[index] ?? null;
     done.checked = stroke !== null;
     const asPlanned = stroke === null || Math.abs(stroke - turn.stroke) < 1e-9;
+    const mm = plan.options.pitch === null || asPlanned ? "" : `${fixed(1e3 * stroke! * sameWay(turn), 2)} mm`;
+    meant.textContent = mm && ` = ${mm}, ${fixed(1e3 * Math.abs(turn.stroke), 2)} mm planned`;
     if (document.activeElement === value || isRefused()) return;
     value.value = asPlanned ? "" : words(0) === "0" && stroke === 0 ? "0" : `${stroke! * sameWay(turn) < 0 ? "−" : ""}${words(Math.abs(stroke!) / unit)}`;
   });
-  return [done, value];
+  return [done, value, meant];
 }
 
 /** What was turned, as `identify --epoch SURVEY:TURNED` reads it; null where nothing was. */

@@ -26,7 +26,8 @@ namespace taut {
 
 /// A form as a COMPAS Graph, which compas.json_load() opens and parse_compas() reads: nodes with
 /// is_support and loads (px, py, pz), edges with q, f, l, l0, EA, is_slack and is_adjustable, in m
-/// and N.
+/// and N. Where a net has them: nodes with support_stiffness, support_place and slides (names of
+/// runs), edges with is_strut, sag_weight, run and friction.
 /// @param form 3 x n [m]
 /// @throws std::invalid_argument for another size, a coordinate that is not finite, and an edge of
 ///   no length

@@ -23,6 +23,16 @@ struct ImportedNode {
     Eigen::Vector3d load{0.0, 0.0, 0.0};      ///< in the file's unit of force
     bool is_support = false;   ///< by the file, support_boundary() or support_named()
     bool is_boundary = false;  ///< at a side of one face only; without faces: at one edge only
+    /// Of a support that gives way, in the file's unit of force per metre; empty: it is rigid, or
+    /// no support.
+    std::optional<Eigen::Matrix3d> support_stiffness = {};
+    std::optional<Eigen::Vector3d> support_place = {};  ///< where it stands without load [m]
+    /// Names of the runs that slide through the node.
+    std::vector<std::string> slides = {};
+    bool all_slide = false;  ///< all runs that pass the node slide through it
+
+    /// Whether it is a support that does not give way.
+    [[nodiscard]] bool is_rigid() const { return is_support && !support_stiffness; }
 };
 
 /// An edge as another program's file gives it.
@@ -33,8 +43,10 @@ struct ImportedEdge {
     int t = 0;          ///< the other end
     /// What the file says of it in numbers, in the file's units, by the names that it uses; true
     /// and false are 1 and 0. Those that taut understands: q, f or force, l or length, l0, E, r,
-    /// EA, px, py, pz, is_adjustable.
+    /// EA, px, py, pz, is_adjustable, is_strut, sag_weight, and of runs friction.
     std::map<std::string, double> numbers;
+    std::string run = {};  ///< name of the cable run that the edge is part of; may be empty
+    bool is_beam = false;  ///< by its type: a beam or a strut
 };
 
 /// What a reader found in another program's file, before taut makes a net of it. Every format is
