@@ -124,6 +124,7 @@ void add_import(CLI::App& program);
 void add_inspect(CLI::App& program);
 void add_export(CLI::App& program);
 void add_form(CLI::App& program);
+void add_frame(CLI::App& program);
 void add_frequency(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_train(CLI::App& program);

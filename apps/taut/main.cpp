@@ -31,11 +31,12 @@ int end(int code, std::string_view message) noexcept {
 int main(int argc, char** argv) {
     using namespace taut::app;
     prepare_streams();
-    leave(run_program({.name = "taut",
-                       .commands = {add_inspect, add_identify, add_plan, add_report},
-                       .further_commands = {add_example, add_import, add_export, add_form,
-                                            add_survey, add_frequency, add_control, add_compare,
-                                            add_reproduce, add_sample, add_train, add_app},
-                       .end = end},
-                      argc, argv));
+    leave(
+        run_program({.name = "taut",
+                     .commands = {add_inspect, add_identify, add_plan, add_report},
+                     .further_commands = {add_example, add_import, add_export, add_frame, add_form,
+                                          add_survey, add_frequency, add_control, add_compare,
+                                          add_reproduce, add_sample, add_train, add_app},
+                     .end = end},
+                    argc, argv));
 }

@@ -26,6 +26,7 @@
 #include "taut/net/cable_runs.hpp"
 #include "taut/net/tension_law.hpp"
 #include "taut/statics/energy.hpp"
+#include "taut/statics/frame.hpp"
 #include "taut/statics/plausibility.hpp"
 
 namespace taut::python {
@@ -323,6 +324,19 @@ Raises:
         "support_stiffness",
         by_node([](const ElasticSupport& one) { return array_of_columns(one.stiffness); }),
         "Of supports that give way, by node (3, 3) [N/m]. They are among the free nodes.");
+    net.def_prop_ro(
+        "support_couplings",
+        [](const CableNet& self) {
+            nb::dict result;
+            for (const auto& [first, second, stiffness] : self.support_couplings()) {
+                result[nb::make_tuple(self.elastic_supports()[first].node,
+                                      self.elastic_supports()[second].node)] =
+                    array_of_columns(Eigen::Matrix3d(stiffness.transpose()));
+            }
+            return result;
+        },
+        "Of pairs of supports on one frame, by their nodes: the force on the first by a shift of "
+        "the second (3, 3) [N/m]. on_frame() sets them.");
     net.def_prop_ro("support_place",
                     by_node([](const ElasticSupport& one) { return array_of(one.place); }),
                     "Where they stand without load, by node (3,) [m].");
@@ -358,6 +372,28 @@ Raises:
             "The edge's name, or its index as text.");
     net.def_prop_ro("fingerprint", &CableNet::fingerprint,
                     "16 digits over all that makes the net behave as it does.");
+    net.def(
+        "on_frame",
+        [](const CableNet& self, const ArrayLike& stiffness,
+           const std::optional<ArrayLike>& supports) {
+            return on_frame(self, {.supports = supports ? indices_argument(*supports, "supports")
+                                                        : self.all_supports(),
+                                   .stiffness = columns_argument(stiffness, "stiffness")});
+        },
+        nb::arg("stiffness"), nb::arg("supports") = nb::none(),
+        R"(The net on a frame: its supports give way, and pass forces on to each other.
+
+They stand where the frame balances the nominal form.
+
+Args:
+    stiffness: of the frame, condensed to its supports (3 k, 3 k): the force at x, y, z of each by a
+        shift of each. Symmetric and positive definite [N/m].
+    supports: its nodes (k,), by default all of `supports` in their order.
+
+Raises:
+    ValueError: for a node that is no support or stands on a frame already, and a stiffness of
+        another shape or that is not symmetric.
+    NetError: where it is not positive definite.)");
     net.def(
         "with_lengths",
         [](const CableNet& self, const ArrayLike& unstressed_lengths) {

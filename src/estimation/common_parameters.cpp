@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "net/sliding_nodes.hpp"
+#include "net/support_stiffness.hpp"
 #include "net/weight_as_load.hpp"
 
 namespace taut {
@@ -97,9 +98,14 @@ void CommonParameters::set_frame(const CableNet& net) {
         for (const int node : net.supports()) {
             m_motions[k].col(node) = motion_of(net.nodes().col(node), k);
         }
-        for (const auto& [node, stiffness, place] : net.elastic_supports()) {
-            m_frame_loads[k].col(node) = stiffness * motion_of(place, k);
+        if (net.elastic_supports().empty()) {
+            continue;
         }
+        Points moved = Points::Zero(3, m_node_count);
+        for (const ElasticSupport& support : net.elastic_supports()) {
+            moved.col(support.node) = motion_of(support.place, k);
+        }
+        m_frame_loads[k] = support_forces(net, moved);
     }
 }
 

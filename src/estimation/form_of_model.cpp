@@ -43,6 +43,9 @@ bool FormOfModel::factorize(const Iterate& iterate) {
         const int node = m_numbers.local_of[support.node];
         add(node, node, factor * support.stiffness);
     }
+    for (const SpringPair& pair : m_numbers.local.spring_pairs) {
+        add(pair.second, pair.first, factor * pair.stiffness.transpose());
+    }
     Eigen::SparseMatrix<double> stiffness(3 * free_count, 3 * free_count);
     stiffness.setFromTriplets(entries.begin(), entries.end());
     if (!std::exchange(m_is_analysed, true)) {

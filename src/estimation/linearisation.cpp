@@ -236,6 +236,11 @@ void Linearisation::set_border(const Observations& observations) {
 void Linearisation::add_elastic_supports(const Iterate& iterate) {
     const CommonParameters& common = m_model->common;
     const double factor = common.support_factor(iterate.common);
+    const std::vector<SpringPair>& pairs = m_model->numbering().local.spring_pairs;
+    for (size_t k = 0; k < pairs.size(); ++k) {
+        m_matrix->inner.pair_stiffness[k] =
+            m_length_unit * m_multiplier_unit * factor * pairs[k].stiffness;
+    }
     const Points forces = m_model->designed_elastic_forces(iterate);
     for (const ElasticSupport& support : m_model->net().elastic_supports()) {
         const int local = m_model->numbering().local_of[support.node];
@@ -310,6 +315,13 @@ void Linearisation::set_reactions(const Eigen::Matrix3Xd& multipliers) {
                 }
             }
         }
+    }
+    for (size_t k = 0; k < numbers.local.spring_pairs.size(); ++k) {
+        const auto [first, second] =
+            std::pair(numbers.local.spring_pairs[k].first, numbers.local.spring_pairs[k].second);
+        const Eigen::Matrix3d& stiffness = matrix.pair_stiffness[k];
+        m_reactions.inner.places.col(first) += stiffness * multipliers.col(second);
+        m_reactions.inner.places.col(second) += stiffness.transpose() * multipliers.col(first);
     }
     for (int k = 0; k < m_model->common.count(); ++k) {
         m_reactions.border(k) = m_matrix->border[k].multipliers.cwiseProduct(multipliers).sum();

@@ -73,6 +73,10 @@ double Linearisation::half_log_determinant(const Observations& observations) con
             add(std::max(s, t), std::min(s, t), -matrix.edge_stiffness[e]);
         }
     }
+    for (size_t k = 0; k < matrix.pair_stiffness.size(); ++k) {
+        const SpringPair& pair = numbers.local.spring_pairs[k];
+        add(pair.second, pair.first, matrix.pair_stiffness[k].transpose());
+    }
     Eigen::SparseMatrix<double> stiffness(3 * free_count, 3 * free_count);
     stiffness.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(stiffness);

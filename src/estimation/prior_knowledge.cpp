@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "net/sliding_nodes.hpp"
+#include "net/support_stiffness.hpp"
 #include "statics/sliding.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -174,8 +175,10 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
         for (const int node : net.supports()) {
             result.support_weights.col(node).setConstant(1.0 / (std * std));
         }
-        for (const ElasticSupport& support : net.elastic_supports()) {
-            const Eigen::Matrix3d V = std * std * support.stiffness * support.stiffness;
+        const std::vector<Eigen::Matrix3d> squares = squared_support_stiffness(net);
+        for (size_t i = 0; i < squares.size(); ++i) {
+            const ElasticSupport& support = net.elastic_supports()[i];
+            const Eigen::Matrix3d V = std * std * squares[i];
             result.load_variance.col(support.node) += V.diagonal();
             if (!V.isDiagonal(0.0)) {
                 result.cross_load_variance.conservativeResizeLike(

@@ -28,6 +28,7 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
     cross_load_variances.setZero(3, net.free_count);
     node_stiffness.assign(net.free_count, Eigen::Matrix3d::Zero());
     edge_stiffness.assign(net.edges.size(), Eigen::Matrix3d::Zero());
+    pair_stiffness.assign(net.spring_pairs.size(), Eigen::Matrix3d::Zero());
     length_rates.setZero(3, edge_count);
     force_weights.setZero(edge_count);
     force_place_rates.setZero(3, edge_count);
@@ -81,6 +82,12 @@ void SaddlePointFactor::assemble(int node, const Places& places, FrontMatrix& fr
         front(own + 5, own + 3) -= cross_load_variances(1, node);
         front(own + 5, own + 4) -= cross_load_variances(2, node);
         front.block<3, 3>(own + 3, own) += node_stiffness[node];
+    }
+    for (const SaddlePointLayout::Pair& pair : layout().pairs_of_node[node]) {
+        const int row = places.of(layout().place[pair.other]);
+        const Eigen::Matrix3d stiffness = pair_stiffness[pair.index].transpose();
+        front.block<3, 3>(row + 3, own) += stiffness;
+        front.block<3, 3>(row, own + 3) += stiffness;
     }
     for (const int e : layout().edges_of_node[node]) {
         assemble_edge(e, node, places, front);

@@ -74,6 +74,8 @@ public:
     std::vector<Eigen::Matrix3d> node_stiffness;  ///< diagonal block of H, one a free node
     /// One an edge: -1 times the block of H between its nodes.
     std::vector<Eigen::Matrix3d> edge_stiffness;
+    /// One a pair of elastic supports on one frame: the block of H at the first, by the second.
+    std::vector<Eigen::Matrix3d> pair_stiffness;
     /// One an edge: the block of B of its first node, and -1 times that of its second (3 x edges).
     Eigen::Matrix3Xd length_rates;
     Eigen::VectorXd force_weights;  ///< w, one an edge; 0: not measured

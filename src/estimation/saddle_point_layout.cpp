@@ -16,6 +16,7 @@ SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool
       edges(net.edges),
       unknown(unknown_lengths),
       edges_of_node(node_count()),
+      pairs_of_node(node_count()),
       place(node_count()),
       length(net.edges.size(), -1) {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
@@ -24,6 +25,11 @@ SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool
                 edges_of_node[node].push_back(e);
             }
         }
+    }
+    for (int k = 0; k < static_cast<int>(net.spring_pairs.size()); ++k) {
+        const SpringPair& pair = net.spring_pairs[static_cast<size_t>(k)];
+        pairs_of_node[pair.first].push_back(
+            {.index = k, .other = pair.second, .is_joined = pair.edge >= 0});
     }
     int next = 0;
     const auto number = [&next](int count) { return std::exchange(next, next + count); };
@@ -66,6 +72,11 @@ std::vector<std::vector<int>> SaddlePointLayout::couplings() const {
     std::vector<std::vector<int>> result(sizes.size());
     for (int node = 0; node < node_count(); ++node) {
         std::vector<int>& coupled = result[block_of_node[node]];
+        for (const Pair& pair : pairs_of_node[node]) {
+            if (!pair.is_joined) {
+                coupled.push_back(block_of_node[pair.other]);
+            }
+        }
         for (const int e : edges_of_node[node]) {
             const int other = other_end(e, node);
             if (is_before(node, other)) {  // so it is free

@@ -35,11 +35,18 @@ struct SaddlePointLayout {
     std::vector<Edge> edges;                      ///< of the local net
     std::vector<bool> unknown;                    ///< whether an edge's length is
     std::vector<std::vector<int>> edges_of_node;  ///< of each node with a block
-    std::vector<int> sizes;                       ///< of the blocks
-    std::vector<int> node_of_block;               ///< -1 where it is a length
-    std::vector<int> edge_of_block;               ///< -1 where it is a node
-    std::vector<int> place;   ///< of each node with a block: the first of three unknowns
-    std::vector<int> length;  ///< of each edge; -1 where it is no unknown of the matrix
+    /// A pair of elastic supports on one frame, at the one that is eliminated first.
+    struct Pair {
+        int index;       ///< in LocalNet::spring_pairs
+        int other;       ///< node
+        bool is_joined;  ///< whether an edge joins them, too
+    };
+    std::vector<std::vector<Pair>> pairs_of_node;
+    std::vector<int> sizes;          ///< of the blocks
+    std::vector<int> node_of_block;  ///< -1 where it is a length
+    std::vector<int> edge_of_block;  ///< -1 where it is a node
+    std::vector<int> place;          ///< of each node with a block: the first of three unknowns
+    std::vector<int> length;         ///< of each edge; -1 where it is no unknown of the matrix
 
     /// Free nodes, and supports where these are uncertain: those that have a block.
     [[nodiscard]] int node_count() const { return free_count + support_blocks; }

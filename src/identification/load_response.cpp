@@ -74,6 +74,16 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
             }
         }
     }
+    for (const auto& [first, second, stiffness] : net.support_couplings()) {
+        const int a = 3 * net.elastic_supports()[first].node;
+        const int b = 3 * net.elastic_supports()[second].node;
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                entries.emplace_back(a + i, b + k, factor * stiffness(i, k));
+                entries.emplace_back(b + k, a + i, factor * stiffness(i, k));
+            }
+        }
+    }
     Rates result(3 * net.node_count(), columns.count);
     result.setFromTriplets(entries.begin(), entries.end());
     return result;

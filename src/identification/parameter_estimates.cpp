@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "identification/parameter_estimates.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "estimation/hypotheses.hpp"
+#include "net/support_stiffness.hpp"
 #include "net/weight_as_load.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -189,8 +191,9 @@ private:
                 m_fitted.form.col(node) - m_net.nodes().col(node) - motion.col(node);
             add_node(parameter, node, shift, m_covariance.places[node]);
         }
-        for (const ElasticSupport& support : m_net.elastic_supports()) {
-            add_place_of_elastic(parameter, support);
+        const std::vector<Eigen::Matrix3d> squares = squared_support_stiffness(m_net);
+        for (size_t i = 0; i < squares.size(); ++i) {
+            add_place_of_elastic(parameter, m_net.elastic_supports()[i], squares[i]);
         }
     }
 
@@ -208,10 +211,13 @@ private:
     }
 
     /// (elastic-supports): the place of a support without load, by the force that its error adds.
-    void add_place_of_elastic(const UncertainParameter& parameter, const ElasticSupport& support) {
-        const Eigen::Matrix3d& K = support.stiffness;
-        const ForceShare force = force_share(support.node, parameter.std * parameter.std * K * K);
-        const Eigen::Matrix3d flexibility = K.inverse();
+    /// On a frame this force is that of all its supports, and the place the one that would give it.
+    /// @param square K K^T
+    void add_place_of_elastic(const UncertainParameter& parameter, const ElasticSupport& support,
+                              const Eigen::Matrix3d& square) {
+        const ForceShare force = force_share(support.node, parameter.std * parameter.std * square);
+        const Eigen::Matrix3d flexibility =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(square).operatorInverseSqrt();
         add_node(parameter, support.node, flexibility * force.mean,
                  flexibility * force.covariance * flexibility);
     }

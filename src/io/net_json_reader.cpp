@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -272,6 +273,31 @@ void read_elastic_supports(const JsonValue& root, CableNetData& data) {
     }
 }
 
+/// Position in the elastic supports of a node that a coupling names.
+int elastic_support_named(const JsonValue& node, const CableNetData& data) {
+    const auto found =
+        std::ranges::find(data.elastic_supports, node.integer(), &ElasticSupport::node);
+    if (found == data.elastic_supports.end()) {
+        node.fail("names no support with a stiffness");
+    }
+    return static_cast<int>(found - data.elastic_supports.begin());
+}
+
+void read_support_couplings(const std::optional<JsonValue>& list, CableNetData& data) {
+    for (size_t i = 0; list && i < list->array_size("an array of couplings"); ++i) {
+        const JsonValue entry = list->at(i);
+        entry.require_array(3, "[support, support, matrix of 3 x 3 [N/m]]");
+        SupportCoupling coupling{.first = elastic_support_named(entry.at(0), data),
+                                 .second = elastic_support_named(entry.at(1), data),
+                                 .stiffness = read_stiffness(entry.at(2))};
+        if (coupling.first > coupling.second) {
+            std::swap(coupling.first, coupling.second);
+            coupling.stiffness.transposeInPlace();
+        }
+        data.support_couplings.push_back(coupling);
+    }
+}
+
 /// Entry of "supports" of the i-th rigid or elastic one.
 int entry_of_support(const nlohmann::json& stiffnesses, bool is_elastic, int i) {
     if (stiffnesses.is_number()) {
@@ -353,6 +379,7 @@ CableNetData read_data(const JsonValue& root) {
     data.buckling_load = read_buckling_loads(root.find("buckling_load"), data);
     data.sag_weight = read_sag_weights(root.find("sag_weight"), data);
     read_elastic_supports(root, data);
+    read_support_couplings(root.find("support_couplings"), data);
     return data;
 }
 

@@ -147,13 +147,14 @@ std::string of_supports_text(const CableNetData& data, const ToText& to_text) {
     });
 }
 
+std::string matrix_text(const Eigen::Matrix3d& matrix) {
+    return fmt::format("[{}, {}, {}]", numbers_text(matrix.row(0).transpose()),
+                       numbers_text(matrix.row(1).transpose()),
+                       numbers_text(matrix.row(2).transpose()));
+}
+
 std::string stiffness_text(const Eigen::Matrix3d& stiffness) {
-    if (stiffness.isDiagonal(0.0)) {
-        return numbers_text(stiffness.diagonal());
-    }
-    return fmt::format("[{}, {}, {}]", numbers_text(stiffness.row(0).transpose()),
-                       numbers_text(stiffness.row(1).transpose()),
-                       numbers_text(stiffness.row(2).transpose()));
+    return stiffness.isDiagonal(0.0) ? numbers_text(stiffness.diagonal()) : matrix_text(stiffness);
 }
 
 json parse_unknown_keys(const std::string& text) {
@@ -247,6 +248,15 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
             }));
         add("support_place", of_supports_text(data, [](const ElasticSupport& support) {
                 return numbers_text(support.place);
+            }));
+    }
+    if (!data.support_couplings.empty()) {
+        const auto count = static_cast<Eigen::Index>(data.support_couplings.size());
+        add("support_couplings", one_a_line(count, [&data](Eigen::Index i) {
+                const auto& [first, second, stiffness] =
+                    data.support_couplings[static_cast<size_t>(i)];
+                return fmt::format("[{}, {}, {}]", data.elastic_supports[first].node,
+                                   data.elastic_supports[second].node, matrix_text(stiffness));
             }));
     }
     for (const auto& [key, value] : unknown.items()) {

@@ -12,7 +12,7 @@ inline constexpr std::string_view net_format = "taut-net";
 inline constexpr int net_version = 1;
 
 /// The keys that the native net format gives a meaning.
-inline constexpr std::array<std::string_view, 26> net_keys{"format",
+inline constexpr std::array<std::string_view, 27> net_keys{"format",
                                                            "version",
                                                            "name",
                                                            "nodes",
@@ -35,6 +35,7 @@ inline constexpr std::array<std::string_view, 26> net_keys{"format",
                                                            "runs",
                                                            "support_stiffness",
                                                            "support_place",
+                                                           "support_couplings",
                                                            "kind",
                                                            "buckling_load",
                                                            "sag_weight"};

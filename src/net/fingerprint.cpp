@@ -32,6 +32,10 @@ std::string compute_fingerprint(const CableNetData& data) {
         hash.add_list(support.stiffness);
         hash.add_list(support.place);
     }
+    for (const SupportCoupling& coupling : data.support_couplings) {
+        hash.add_list(std::array{coupling.first, coupling.second});
+        hash.add_list(coupling.stiffness);
+    }
     if (!data.kind.empty()) {
         hash.add_list(data.kind);
     }

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "net/sliding_nodes.hpp"
+#include "net/support_stiffness.hpp"
 #include "net/union_find.hpp"
 
 namespace taut {
@@ -181,6 +182,48 @@ void check_elastic_supports(const CableNetData& data, std::vector<bool> is_suppo
                                            place(k), "xyz"[k], node, largest_magnitude));
             }
         }
+    }
+}
+
+/// Each a pair of its own, and the stiffness of all positive definite.
+void check_support_couplings(const CableNetData& data) {
+    const auto count = static_cast<int>(data.elastic_supports.size());
+    std::set<std::pair<int, int>> seen;
+    for (int i = 0; i < std::ssize(data.support_couplings); ++i) {
+        const auto& [first, second, stiffness] = data.support_couplings[static_cast<size_t>(i)];
+        if (first < 0 || second <= first || second >= count) {
+            throw NetError("support_couplings", {i},
+                           fmt::format("joins the elastic supports {} and {}, expected two of the "
+                                       "{}, the first one first",
+                                       first, second, count));
+        }
+        if (!seen.emplace(first, second).second) {
+            throw NetError(
+                "support_couplings", {i},
+                fmt::format("joins the elastic supports {} and {} a second time", first, second));
+        }
+        if (!stiffness.allFinite() || stiffness.cwiseAbs().maxCoeff() > largest_magnitude) {
+            throw NetError("support_couplings", {i},
+                           fmt::format("has a stiffness that is not finite or exceeds {:g}",
+                                       largest_magnitude));
+        }
+    }
+    if (seen.empty()) {
+        return;
+    }
+    const Eigen::SparseMatrix<double> matrix =
+        support_stiffness_matrix(data.elastic_supports, data.support_couplings);
+    // A weaker direction would be lost in rounding errors, here those of a frame program, too.
+    constexpr double weakest_share = 1e-10;
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
+                                Eigen::NaturalOrdering<int>>
+        factor(matrix);
+    const Eigen::VectorXd diagonal = matrix.diagonal();
+    if (factor.info() != Eigen::Success ||
+        !(factor.vectorD().array() > weakest_share * diagonal.array()).all()) {
+        throw NetError("support_couplings", {},
+                       "make a stiffness of all elastic supports that is not positive definite: a "
+                       "frame that is not founded, or couplings with another sign?");
     }
 }
 
@@ -457,6 +500,7 @@ void validate(const CableNetData& data) {
     check_edges(data, is_support);
     check_indices("adjustable", data.adjustable, static_cast<int>(data.edges.size()), "edge");
     check_elastic_supports(data, is_support);
+    check_support_couplings(data);
     check_connected(data, is_support);
     if (has_line_break(data.name)) {
         throw NetError("name", {},

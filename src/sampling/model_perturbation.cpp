@@ -121,6 +121,9 @@ CableNet net_under(const CableNet& net, const ModelPerturbation& perturbation,
         support.place += perturbation.supports.col(support.node);
         support.stiffness *= std::exp(perturbation.support_stiffness);
     }
+    for (SupportCoupling& coupling : data.support_couplings) {
+        coupling.stiffness *= std::exp(perturbation.support_stiffness);
+    }
     data.axial_stiffness.array() *= perturbation.stiffness.array().exp();
     if (!net.is_linear()) {
         scale_laws(net, perturbation.stiffness, data);

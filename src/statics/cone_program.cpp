@@ -9,6 +9,7 @@
 
 #include "statics/arguments.hpp"
 #include "statics/conic_solver.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/imbalance.hpp"
 
 namespace taut {
@@ -119,13 +120,23 @@ private:
             m_program.q(variables - 1) = 0.5;
         }
         const double unit = m_units.length / m_units.force;
+        const Points springs = elastic_forces(m_net, m_net.nodes());
         for (const auto& [node, stiffness, place] : m_net.elastic_supports()) {
             const int first = 3 * m_net.free_index(node);
-            m_program.q.segment<3>(first) +=
-                stiffness * (m_net.nodes().col(node) - place) / m_units.force;
+            m_program.q.segment<3>(first) += springs.col(node) / m_units.force;
             for (int j = 0; j < 3; ++j) {
                 for (int i = 0; i <= j; ++i) {
                     m_program.P.insert(first + i, first + j) = unit * stiffness(i, j);
+                }
+            }
+        }
+        for (const auto& [one, other, stiffness] : m_net.support_couplings()) {
+            const int a = 3 * m_net.free_index(m_net.elastic_supports()[one].node);
+            const int b = 3 * m_net.free_index(m_net.elastic_supports()[other].node);
+            for (int j = 0; j < 3; ++j) {
+                for (int i = 0; i < 3; ++i) {  // of the upper triangle
+                    m_program.P.insert(std::min(a + i, b + j), std::max(a + i, b + j)) =
+                        unit * stiffness(i, j);
                 }
             }
         }
@@ -268,9 +279,9 @@ ConeSolution solve_cone_program(const CableNet& net,
         work += net.loads().col(node).dot(net.nodes().col(node));
         result.form.col(node) += units.length * found.x.segment<3>(Eigen::Index{3} * i);
     }
+    const Points springs = elastic_forces(net, net.nodes());
     for (const auto& [node, stiffness, place] : net.elastic_supports()) {
-        const Eigen::Vector3d shift = net.nodes().col(node) - place;
-        work -= 0.5 * shift.dot(stiffness * shift);
+        work -= 0.5 * springs.col(node).dot(net.nodes().col(node) - place);
     }
     const double joule = units.force * units.length;
     result.primal_objective = joule * found.primal_objective - work;

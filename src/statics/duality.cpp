@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "net/support_stiffness.hpp"
 #include "numerics/sparse_cholesky.hpp"
 #include "statics/edge_state.hpp"
 #include "taut/statics/energy.hpp"
@@ -168,15 +169,14 @@ EnergyCertificate certify_states(const CableNet& net,
                                               net.axial_stiffness()(e), law);
         result.duality_gap += gap_of(state, unstressed_lengths(e), law, forces.edges.col(e));
     }
-    for (const ElasticSupport& support : net.elastic_supports()) {
-        const auto energy_by = [&](const Eigen::Vector3d& force) {
-            return 0.5 * force.dot(support.stiffness.llt().solve(force));
+    if (!net.elastic_supports().empty()) {
+        const SupportStiffness supports(net);
+        const auto energy_by = [&supports](const Points& of_springs) {
+            return 0.5 * of_springs.cwiseProduct(supports.shifts_by(of_springs)).sum();
         };
-        const Eigen::Vector3d force = springs.col(support.node);
-        const Eigen::Vector3d in_balance = forces.springs.col(support.node);
-        elastic += energy_by(force);
-        complementary += energy_by(in_balance);
-        result.duality_gap += energy_by(in_balance - force);
+        elastic += energy_by(springs);
+        complementary += energy_by(forces.springs);
+        result.duality_gap += energy_by(forces.springs - springs);
     }
     result.complementary_energy = result.energy - result.duality_gap;
     const double negligible =

@@ -2,15 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/energy.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <utility>
 
+#include "net/support_stiffness.hpp"
 #include "statics/edge_state.hpp"
 #include "statics/local_net.hpp"
 #include "statics/stiffness_matrix.hpp"
 
 namespace taut {
+namespace {
+
+/// From their places without load; 0 at other nodes (3 x n) [m].
+Points shifts_of_supports(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    Points shifts = Points::Zero(3, net.node_count());
+    for (const ElasticSupport& support : net.elastic_supports()) {
+        shifts.col(support.node) = form.col(support.node) - support.place;
+    }
+    return shifts;
+}
+
+}  // namespace
+
 double energy(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
               const Eigen::Ref<const Points>& form) {
     double total = 0.0;
@@ -21,19 +33,12 @@ double energy(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unst
     for (const int node : net.free_nodes()) {
         total -= net.loads().col(node).dot(form.col(node));
     }
-    for (const ElasticSupport& support : net.elastic_supports()) {
-        const Eigen::Vector3d shift = form.col(support.node) - support.place;
-        total += 0.5 * shift.dot(support.stiffness * shift);
-    }
-    return total;
+    const Points shifts = shifts_of_supports(net, form);
+    return total + 0.5 * shifts.cwiseProduct(support_forces(net, shifts)).sum();
 }
 
 Points elastic_forces(const CableNet& net, const Eigen::Ref<const Points>& form) {
-    Points forces = Points::Zero(3, net.node_count());
-    for (const auto& [node, stiffness, place] : net.elastic_supports()) {
-        forces.col(node) = stiffness * (form.col(node) - place);
-    }
-    return forces;
+    return support_forces(net, shifts_of_supports(net, form));
 }
 
 Eigen::VectorXd out_of_balance_forces(const CableNet& net,
@@ -56,9 +61,12 @@ CableNet with_supports_in_balance(const CableNet& net) {
     }
     const Eigen::VectorXd forces =
         out_of_balance_forces(net, net.unstressed_lengths(), net.nodes());
+    Points of_nodes = Points::Zero(3, net.node_count());
+    of_nodes(Eigen::all, net.free_nodes()) = forces.reshaped(3, net.free_node_count());
+    const Points shifts = SupportStiffness(net).shifts_by(of_nodes);
     CableNetData data = net.data();
-    for (auto& [node, stiffness, place] : data.elastic_supports) {
-        place += stiffness.llt().solve(forces.segment<3>(Eigen::Index{3} * net.free_index(node)));
+    for (ElasticSupport& support : data.elastic_supports) {
+        support.place += shifts.col(support.node);
     }
     return CableNet(std::move(data));
 }

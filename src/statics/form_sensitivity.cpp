@@ -217,6 +217,13 @@ NetGradient FormSensitivity::net_gradient(const Eigen::Ref<const Points>& gradie
         result.nodes.col(f.net.node_of[spring.node]) =
             spring.stiffness * multipliers.segment<3>(Eigen::Index{3} * spring.node);
     }
+    for (const SpringPair& pair : f.net.spring_pairs) {
+        const Eigen::Index a = Eigen::Index{3} * pair.first;
+        const Eigen::Index b = Eigen::Index{3} * pair.second;
+        result.nodes.col(f.net.node_of[pair.first]) += pair.stiffness * multipliers.segment<3>(b);
+        result.nodes.col(f.net.node_of[pair.second]) +=
+            pair.stiffness.transpose() * multipliers.segment<3>(a);
+    }
     for (int e = 0; e < f.lengths.size(); ++e) {
         const EdgeState& state = f.states[e];
         if (!state.carries()) {

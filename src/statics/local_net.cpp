@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "statics/local_net.hpp"
 
+#include <algorithm>
+#include <map>
+
 namespace taut {
 namespace {
 
@@ -27,6 +30,37 @@ Eigen::Vector3d within_reach(const Eigen::Vector3d& from_middle, double reach) {
 Eigen::Vector3d origin_of(const Eigen::Vector3d& middle, double extent) {
     constexpr double far = 10.0;  // extents of the net
     return middle.cwiseAbs().maxCoeff() > far * extent ? middle : Eigen::Vector3d::Zero();
+}
+
+/// Edges from one elastic support to another, by their nodes, the lower one first.
+std::map<Edge, int> edges_between_springs(const CableNet& net) {
+    std::map<Edge, int> result;
+    for (int e = 0; !net.support_couplings().empty() && e < net.edge_count(); ++e) {
+        const auto [s, t] = std::minmax(net.edges()[e][0], net.edges()[e][1]);
+        if (net.free_index(s) >= 0 && net.free_index(t) >= 0 && net.is_support(s) &&
+            net.is_support(t)) {
+            result[{s, t}] = e;
+        }
+    }
+    return result;
+}
+
+void add_spring_pairs(const CableNet& net, const std::vector<int>& local_of, LocalNet& local) {
+    const std::map<Edge, int> joined = edges_between_springs(net);
+    for (const auto& [first, second, stiffness] : net.support_couplings()) {
+        const int a = net.elastic_supports()[first].node;
+        const int b = net.elastic_supports()[second].node;
+        const auto edge = joined.find({std::min(a, b), std::max(a, b)});
+        SpringPair pair{.first = local_of[a],
+                        .second = local_of[b],
+                        .stiffness = stiffness,
+                        .edge = edge == joined.end() ? -1 : edge->second};
+        if (pair.first > pair.second) {
+            std::swap(pair.first, pair.second);
+            pair.stiffness.transposeInPlace();
+        }
+        local.spring_pairs.push_back(pair);
+    }
 }
 
 LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
@@ -83,6 +117,7 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
         local.springs.push_back(
             {.node = local_of[node], .stiffness = stiffness, .place = place - local.origin});
     }
+    add_spring_pairs(net, local_of, local);
     return local;
 }
 
@@ -95,6 +130,14 @@ MatrixGraph free_node_graph(const CableNet& net) {
         const int j = net.free_index(t);
         if (i >= 0 && j >= 0) {
             pairs.push_back({i, j});
+        }
+    }
+    const std::map<Edge, int> joined = edges_between_springs(net);
+    for (const SupportCoupling& coupling : net.support_couplings()) {
+        const auto [a, b] = std::minmax(net.elastic_supports()[coupling.first].node,
+                                        net.elastic_supports()[coupling.second].node);
+        if (!joined.contains({a, b})) {
+            pairs.push_back({net.free_index(a), net.free_index(b)});
         }
     }
     return graph_of(net.free_node_count(), pairs);

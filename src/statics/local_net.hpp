@@ -17,6 +17,14 @@ struct Spring {
     Eigen::Vector3d place;      ///< r_0, less the origin [m]
 };
 
+/// What two elastic supports on one frame pass on to each other.
+struct SpringPair {
+    int first;                  ///< local index
+    int second;                 ///< a later one
+    Eigen::Matrix3d stiffness;  ///< force on the first by a shift of the second [N/m]
+    int edge;                   ///< that joins them, too; -1: none
+};
+
 /// A net renumbered for the solvers: free nodes first, in the order in which their rows are
 /// eliminated, supports behind them.
 struct LocalNet {
@@ -30,6 +38,7 @@ struct LocalNet {
     std::vector<bool> struts;         ///< m; empty if there are none
     Eigen::VectorXd loads;            ///< 3 free_count [N]
     std::vector<Spring> springs;      ///< of elastic supports
+    std::vector<SpringPair> spring_pairs;
     /// Subtracted from all coordinates. The middle of the supports if the net lies so far from zero
     /// (as in a national grid) that rounding errors of its coordinates would matter; else zero [m].
     Eigen::Vector3d origin;
@@ -46,6 +55,28 @@ struct LocalNet {
     void add_spring_forces(const Eigen::Matrix3Xd& form, Eigen::VectorXd& forces) const {
         for (const auto& [node, stiffness, place] : springs) {
             forces.segment<3>(Eigen::Index{3} * node) += stiffness * (form.col(node) - place);
+        }
+        if (!spring_pairs.empty()) {
+            add_pair_forces(spring_shifts(form).reshaped(), forces);
+        }
+    }
+    /// Of springs from their places; 0 at other free nodes (3 x free_count) [m].
+    /// @param form as nodes
+    [[nodiscard]] Eigen::Matrix3Xd spring_shifts(const Eigen::Matrix3Xd& form) const {
+        Eigen::Matrix3Xd shifts = Eigen::Matrix3Xd::Zero(3, free_count);
+        for (const Spring& spring : springs) {
+            shifts.col(spring.node) = form.col(spring.node) - spring.place;
+        }
+        return shifts;
+    }
+    /// Forces that pairs of springs pass on (3 free_count) [N].
+    /// @param shifts of all free nodes (3 free_count) [m]
+    void add_pair_forces(const Eigen::VectorXd& shifts, Eigen::VectorXd& forces) const {
+        for (const SpringPair& pair : spring_pairs) {
+            const Eigen::Index a = Eigen::Index{3} * pair.first;
+            const Eigen::Index b = Eigen::Index{3} * pair.second;
+            forces.segment<3>(a) += pair.stiffness * shifts.segment<3>(b);
+            forces.segment<3>(b) += pair.stiffness.transpose() * shifts.segment<3>(a);
         }
     }
 

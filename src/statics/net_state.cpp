@@ -130,6 +130,15 @@ double NetState::energy_above(const NetState& other, const LocalNet& net) const 
         const Eigen::Vector3d middle = 0.5 * (m_form.col(node) + other.m_form.col(node)) - place;
         difference += step.dot(stiffness * middle);
     }
+    if (!net.spring_pairs.empty()) {
+        const Eigen::Matrix3Xd before = net.spring_shifts(other.m_form);
+        const Eigen::Matrix3Xd step = net.spring_shifts(m_form) - before;
+        const Eigen::Matrix3Xd middle = before + 0.5 * step;
+        for (const SpringPair& pair : net.spring_pairs) {
+            difference += step.col(pair.first).dot(pair.stiffness * middle.col(pair.second)) +
+                          middle.col(pair.first).dot(pair.stiffness * step.col(pair.second));
+        }
+    }
     return difference;
 }
 

@@ -33,8 +33,9 @@ bool StiffnessFactor::Large::factorize(const StiffnessMatrix& matrix) {
                               FrontMatrix& front) {
         const int own = places.of(3 * node);
         front.block<3, 3>(own, own) += matrix.diagonal(node);
-        for (const auto [later, block] : entries[node]) {  // of an edge, so it is symmetric
-            front.block<3, 3>(places.of(3 * later), own) += matrix.blocks()[block].values;
+        for (const auto [later, block] : entries[node]) {
+            front.block<3, 3>(places.of(3 * later), own) +=
+                matrix.blocks()[block].values.transpose();
         }
     };
     if (!factor.factorize(assemble)) {

@@ -17,6 +17,11 @@ StiffnessMatrix::StiffnessMatrix(const LocalNet& net)
             ++m_starts[j + 1];
         }
     }
+    for (const SpringPair& pair : net.spring_pairs) {
+        if (pair.edge < 0) {
+            ++m_starts[pair.second + 1];
+        }
+    }
     std::partial_sum(m_starts.begin(), m_starts.end(), m_starts.begin());
     m_blocks.resize(m_starts.back());
     std::vector<size_t> next = m_starts;
@@ -27,6 +32,15 @@ StiffnessMatrix::StiffnessMatrix(const LocalNet& net)
             m_blocks[block].row = i;
             m_block_of_edge[e] = static_cast<int>(block);
         }
+    }
+    for (const SpringPair& pair : net.spring_pairs) {
+        if (pair.edge >= 0) {
+            m_block_of_pair.push_back(m_block_of_edge[pair.edge]);
+            continue;
+        }
+        const size_t block = next[pair.second]++;
+        m_blocks[block].row = pair.first;
+        m_block_of_pair.push_back(static_cast<int>(block));
     }
 }
 
@@ -64,6 +78,14 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
         m_axial_at_nodes(spring.node) += spring.stiffness.trace() / 3.0;
         m_diagonal[spring.node] += spring.stiffness;
     }
+    for (size_t k = 0; k < net.spring_pairs.size(); ++k) {
+        const SpringPair& pair = net.spring_pairs[k];
+        Block& block = m_blocks[m_block_of_pair[k]];
+        if (pair.edge < 0) {
+            block.values.setZero();
+        }
+        block.values += pair.stiffness;
+    }
 }
 
 void StiffnessMatrix::add_shift(double shift) {
@@ -86,7 +108,7 @@ Eigen::SparseMatrix<double> StiffnessMatrix::to_sparse() const {
         add(j, j, diagonal(j));
         for (const Block& block : column(j)) {
             add(block.row, j, block.values);
-            add(j, block.row, block.values);
+            add(j, block.row, block.values.transpose());
         }
     }
     Eigen::SparseMatrix<double> result(Eigen::Index{3} * node_count(),

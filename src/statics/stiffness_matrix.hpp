@@ -12,11 +12,11 @@
 
 namespace taut {
 
-/// The stiffness of a net in blocks of 3 x 3, one for each free node and each edge between free
-/// nodes: the upper triangle, column by column.
+/// The stiffness of a net in blocks of 3 x 3, one for each free node, and one for each pair of them
+/// that an edge or a frame joins: the upper triangle, column by column.
 class StiffnessMatrix {
 public:
-    /// K_ij of an edge between the free nodes i < j.
+    /// K_ij of the free nodes i < j.
     struct Block {
         int row;  ///< i
         Eigen::Matrix3d values;
@@ -51,6 +51,7 @@ private:
     std::vector<Block> m_blocks;
     std::vector<size_t> m_starts;      ///< of each column in m_blocks; one more at the end
     std::vector<int> m_block_of_edge;  ///< -1 for an edge at a support
+    std::vector<int> m_block_of_pair;  ///< of LocalNet::spring_pairs
     Eigen::VectorXd m_axial_at_nodes;
 };
 

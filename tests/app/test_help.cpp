@@ -14,7 +14,7 @@ using namespace taut::test;
 using testing::HasSubstr;
 
 const std::vector<std::string> commands{
-    "inspect", "identify",  "plan",    "report",  "example",   "import", "export", "form",
+    "inspect", "identify",  "plan",    "report",  "example",   "import", "export", "frame", "form",
     "survey",  "frequency", "control", "compare", "reproduce", "sample", "train",  "app"};
 constexpr size_t everyday_commands = 4;
 

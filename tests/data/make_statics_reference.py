@@ -24,7 +24,8 @@ from scipy.optimize import brentq, minimize, root
 class Net:
     """Nodes (n x 3), supports, edges (m x 2), EA and l_0 (m), loads (n x 3); springs: a list of a
     free node, its stiffness (3 x 3) and its place without load (3); struts: edges that carry
-    compression, too; sags: weights across the chord (m), 0 of a straight edge."""
+    compression, too; sags: weights across the chord (m), 0 of a straight edge; frame: k free nodes,
+    their stiffness (3k x 3k) and their places without load (k x 3)."""
 
     def __init__(
         self,
@@ -38,6 +39,7 @@ class Net:
         springs=(),
         struts=(),
         sags=None,
+        frame=((), np.zeros((0, 0)), np.zeros((0, 3))),
     ):
         self.name = name
         self.nodes = np.array(nodes, float)
@@ -50,6 +52,8 @@ class Net:
         self.free = [i for i in range(len(nodes)) if i not in supports]
         self.is_strut = np.isin(np.arange(len(edges)), struts)
         self.sags = np.zeros(len(edges)) if sags is None else np.array(sags, float)
+
+        self.frame = tuple(np.array(part, kind) for part, kind in zip(frame, (int, float, float)))
 
     def form(self, x):
         form = self.nodes.copy()
@@ -102,7 +106,10 @@ class Net:
         work = np.sum(self.loads[self.free] * self.form(x)[self.free])
         shifts = [(self.form(x)[node] - place, k) for node, k, place in self.springs]
         of_springs = sum(0.5 * shift @ k @ shift for shift, k in shifts)
-        return np.sum(self.edge_energies(lengths, tensions)) + of_springs - work
+        nodes, stiffness, places = self.frame
+        shift = (self.form(x)[nodes] - places).ravel()
+        of_frame = 0.5 * shift @ stiffness @ shift
+        return np.sum(self.edge_energies(lengths, tensions)) + of_springs + of_frame - work
 
     def forces(self, x):
         vectors, lengths, tensions = self.edges_at(x)
@@ -112,6 +119,8 @@ class Net:
         np.add.at(forces, self.edges[:, 1], -pull)
         for node, k, place in self.springs:
             forces[node] += k @ (self.form(x)[node] - place)
+        nodes, stiffness, places = self.frame
+        forces[nodes] += (stiffness @ (self.form(x)[nodes] - places).ravel()).reshape(-1, 3)
         return forces[self.free].ravel()
 
     def hessian(self, x):
@@ -128,6 +137,8 @@ class Net:
                     hessian[i, :, j, :] += sign * block
         for node, k, _ in self.springs:
             hessian[node, :, node, :] += k
+        nodes, stiffness, _ = self.frame
+        hessian[np.ix_(nodes, range(3), nodes, range(3))] += stiffness.reshape(len(nodes), 3, len(nodes), 3)
         size = 3 * len(self.free)
         return hessian[self.free][:, :, self.free].reshape(size, size)
 
@@ -159,6 +170,11 @@ class Net:
                 {"node": node, "stiffness": k.tolist(), "place": place.tolist()}
                 for node, k, place in self.springs
             ],
+            "frame": {
+                "nodes": self.frame[0].tolist(),
+                "stiffness": self.frame[1].tolist(),
+                "places": self.frame[2].tolist(),
+            },
             "struts": np.flatnonzero(self.is_strut).tolist(),
             "sags": self.sags.tolist() if self.sags.any() else [],
             "form": self.form(x).tolist(),
@@ -230,6 +246,17 @@ def on_springs(random):
         springs.append((node, stiffness, place))
     rigid = [node for node in net.supports if node not in [spring[0] for spring in springs]]
     return Net("springs", net.nodes, rigid, net.edges, net.stiffness, net.lengths, net.loads, springs)
+
+
+def on_frame(random):
+    """The grid with four of its supports on one frame."""
+    net = grid(np.random.default_rng(1))
+    nodes = net.supports[:4]
+    root = random.uniform(-1.0, 1.0, (12, 12))
+    stiffness = (5e4 * (root @ root.T + 0.3 * np.eye(12))).round()
+    places = net.nodes[nodes] + random.uniform(-0.02, 0.02, (4, 3)).round(3)
+    frame = (nodes, stiffness, places)
+    return Net("frame", net.nodes, net.supports[4:], net.edges, net.stiffness, net.lengths, net.loads, frame=frame)
 
 
 def simplex():
@@ -359,6 +386,7 @@ def main():
         mast(),
         sagging(np.random.default_rng(3)),
         catenaries(),
+        on_frame(np.random.default_rng(4)),
     ]
     reference = {
         "SPDX-FileCopyrightText": "2026 The taut authors",

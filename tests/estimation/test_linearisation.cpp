@@ -46,6 +46,10 @@ CableNet loaded_net() {
              .stiffness = 2e5 * (Eigen::Matrix3d::Identity() + 3.0 * along * along.transpose()),
              .place = data.nodes.col(node) + 1e-3 * sign * Eigen::Vector3d::Ones()});
     }
+    data.support_couplings = {
+        {.first = 0,
+         .second = 1,
+         .stiffness = Eigen::Matrix3d{{6e4, 2e4, 0.0}, {-4e4, 5e4, 1e4}, {0.0, 2e4, -5e4}}}};
     return CableNet(std::move(data));
 }
 
@@ -130,6 +134,12 @@ protected:
             const Eigen::Vector3d error = it.loads.col(node);  // of the place, times K
             forces.col(node) += factor * (stiffness * (it.form.col(node) - place) - error) + error;
         }
+        const SupportCoupling& frame = m_net.support_couplings().front();
+        const ElasticSupport& one = m_net.elastic_supports()[0];
+        const ElasticSupport& other = m_net.elastic_supports()[1];
+        forces.col(one.node) += factor * frame.stiffness * (it.form.col(other.node) - other.place);
+        forces.col(other.node) +=
+            factor * frame.stiffness.transpose() * (it.form.col(one.node) - one.place);
         for (int e = 0; e < m_net.edge_count(); ++e) {
             const auto [s, t] = m_net.edges()[e];
             const Eigen::Vector3d u = (it.form.col(s) - it.form.col(t)).normalized();

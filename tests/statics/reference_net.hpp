@@ -42,6 +42,28 @@ inline Eigen::VectorXd vector_of(const Json& json) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
 }
 
+/// Nodes on one frame.
+inline void add_frame(const Json& frame, CableNetData& data) {
+    const auto nodes = frame.at("nodes").get<std::vector<int>>();
+    const Points places = points_of(frame.at("places"));
+    const auto block = [&frame](int a, int b) {
+        Eigen::Matrix3d result;
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                result(i, k) = frame.at("stiffness").at(3 * a + i).at(3 * b + k).get<double>();
+            }
+        }
+        return result;
+    };
+    for (int a = 0; a < std::ssize(nodes); ++a) {
+        for (int b = 0; b < a; ++b) {
+            data.support_couplings.push_back({.first = b, .second = a, .stiffness = block(b, a)});
+        }
+        data.elastic_supports.push_back(
+            {.node = nodes[a], .stiffness = block(a, a), .place = places.col(a)});
+    }
+}
+
 inline CableNet net_of(const Json& json) {
     CableNetData data;
     data.nodes = points_of(json.at("nodes"));
@@ -55,6 +77,9 @@ inline CableNet net_of(const Json& json) {
         data.elastic_supports.push_back({.node = spring.at("node").get<int>(),
                                          .stiffness = stiffness,
                                          .place = vector_of(spring.at("place"))});
+    }
+    if (json.contains("frame") && !json.at("frame").at("nodes").empty()) {
+        add_frame(json.at("frame"), data);
     }
     for (const int edge : json.value("struts", std::vector<int>())) {
         data.kind.resize(data.edges.size(), EdgeKind::cable);

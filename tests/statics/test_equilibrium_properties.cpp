@@ -83,6 +83,9 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) 
         support.stiffness = 0.5 * (stiffness + stiffness.transpose());
         support.place = moved(support.place);
     }
+    for (SupportCoupling& coupling : moved_data.support_couplings) {
+        coupling.stiffness = turn * coupling.stiffness * turn.transpose();
+    }
     const CableNet moved_net(std::move(moved_data));
 
     const Equilibrium e = solve_equilibrium(net);

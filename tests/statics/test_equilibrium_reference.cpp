@@ -36,7 +36,7 @@ TEST_P(ReferenceNet, HasTheFormThatScipyFinds) {
 
 INSTANTIATE_TEST_SUITE_P(Scipy, ReferenceNet,
                          ::testing::Values("grid", "chain", "tripod", "springs", "simplex", "mast",
-                                           "sagging"),
+                                           "sagging", "frame"),
                          [](const auto& param) { return std::string(param.param); });
 
 }  // namespace

@@ -98,6 +98,15 @@ TEST(FormSensitivity, TheGradientByTheNetIsThatOfSolvedForms) {
                               .stiffness = Eigen::Vector3d(1e5, 2e5, 3e5).asDiagonal(),
                               .place = data.nodes.col(elastic)}};
     data.elastic_supports[0].stiffness(0, 2) = data.elastic_supports[0].stiffness(2, 0) = 5e4;
+    const int beside = data.supports.back();
+    data.supports.pop_back();
+    data.elastic_supports.push_back({.node = beside,
+                                     .stiffness = 2e5 * Eigen::Matrix3d::Identity(),
+                                     .place = data.nodes.col(beside)});
+    data.support_couplings = {
+        {.first = 0,
+         .second = 1,
+         .stiffness = Eigen::Matrix3d{{3e4, 1e4, 0.0}, {-2e4, 4e4, 5e3}, {0.0, 7e3, -3e4}}}};
     const CableNet net(data);
     const Points weights = test::uniform_points(random, net.node_count(), 1.0);
     const auto value = [&](const CableNetData& changed) -> Eigen::VectorXd {
@@ -127,8 +136,12 @@ TEST(FormSensitivity, TheGradientByTheNetIsThatOfSolvedForms) {
     EXPECT_TRUE(close(gradient.axial_stiffness, slope(stiffnesses, 1e-4 * stiffness)));
     EXPECT_TRUE(close(gradient.loads, slope(loads, 0.1)));
     const auto place = [](CableNetData& of) { return of.elastic_supports[0].place.reshaped(); };
+    const auto place_beside = [](CableNetData& of) {
+        return of.elastic_supports[1].place.reshaped();
+    };
     Points of_places = slope(nodes, 1e-5).reshaped(3, net.node_count());
     of_places.col(elastic) = slope(place, 1e-5);
+    of_places.col(beside) = slope(place_beside, 1e-5);
     EXPECT_TRUE(close(gradient.nodes, of_places.reshaped()));
 }
 

@@ -4,6 +4,7 @@
 
 #include <rapidcheck.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -52,6 +53,11 @@ struct RandomNetSettings {
     double largest_load = 300.0;  ///< at a free node; half of the nets are without loads [N]
 };
 
+inline double smallest_eigenvalue(const Eigen::Matrix3d& matrix) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly)
+        .eigenvalues()(0);
+}
+
 /// Makes half of the supports with edges elastic, with stiffnesses from 10 kN/m to 1 MN/m in
 /// directions of their own, unloaded within 0.1 m of their nodes.
 inline void put_on_springs(Random& random, CableNetData& data) {
@@ -73,6 +79,18 @@ inline void put_on_springs(Random& random, CableNetData& data) {
              .place = data.nodes.col(node) + uniform_points(random, 1, 0.1)});
     }
     data.supports = rigid;
+    // In half of these nets, some of them stand on one frame.
+    const auto count = static_cast<int>(data.elastic_supports.size());
+    for (int a = 0; count > 0 && uniform_int(random, 0, 1) == 1 && a < count; ++a) {
+        for (int b = 0; b < a; ++b) {
+            const double least = std::min(smallest_eigenvalue(data.elastic_supports[a].stiffness),
+                                          smallest_eigenvalue(data.elastic_supports[b].stiffness));
+            data.support_couplings.push_back(
+                {.first = b,
+                 .second = a,
+                 .stiffness = 0.3 * least / count * uniform_points(random, 3, 1.0)});
+        }
+    }
 }
 
 /// A net of any topology, in a ball of some 3 m: every free node joined to an earlier one or to a

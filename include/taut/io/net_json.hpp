@@ -31,9 +31,10 @@ struct NetFile {
 ///      "bending_stiffness": [N m2...] or one number, "thread": ["right" or "left", one an entry of
 ///      "adjustable"], "support_stiffness": [null, one number, [x, y, z] or a matrix of 3 x 3
 ///      [N/m], one a support] or one number, "support_place": [null or [x, y, z] [m], one a
-///      support] or "balanced", "kind": ["cable" or "strut", one an edge],
-///      "buckling_load": [N or null, one an edge] or one number of all struts,
-///      "sag_weight": [N/m, one an edge], one number of all cables or "mass"}
+///      support] or "balanced", "support_couplings": [[support, support, matrix of 3 x 3 [N/m]]...,
+///      of two with a stiffness: force on the first by a shift of the second], "kind": ["cable" or
+///      "strut", one an edge], "buckling_load": [N or null, one an edge] or one number of all
+///      struts, "sag_weight": [N/m, one an edge], one number of all cables or "mass"}
 ///
 /// A support with a stiffness is elastic, ElasticSupport. Its place without load is by default that
 /// of its node; "balanced" places are those of with_supports_in_balance().

@@ -92,6 +92,15 @@ struct ElasticSupport {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< r_0, where it stands without load [m]
 };
 
+/// What two elastic supports on one frame pass on to each other: an off-diagonal block of the
+/// frame's stiffness, condensed to its supports.
+struct SupportCoupling {
+    int first = 0;   ///< index in CableNetData::elastic_supports
+    int second = 0;  ///< a later one
+    /// Force on the first by a shift of the second [N/m].
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+};
+
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
     std::string name;                    ///< for people and files; may be empty
@@ -116,7 +125,9 @@ struct CableNetData {
     std::vector<Thread> thread;         ///< one for each entry of `adjustable`; or none
     std::vector<CableRun> runs;         ///< or none: cable_runs() finds them
     std::vector<ElasticSupport> elastic_supports;  ///< none of them in `supports`; or none
-    std::vector<EdgeKind> kind;                    ///< m; or none: all are cables
+    /// Each pair once; or none. The stiffness of all elastic supports is positive definite.
+    std::vector<SupportCoupling> support_couplings;
+    std::vector<EdgeKind> kind;  ///< m; or none: all are cables
     /// m, the compression at which a strut buckles, > 0; infinite: not known, as of all cables; or
     /// none [N].
     Eigen::VectorXd buckling_load;
@@ -158,9 +169,10 @@ public:
     ///   other than that of the adjustable edges, a run without edges or with one that another run
     ///   has, a run that slides at a node where no two of its edges follow each other, with a
     ///   strut, or with a friction that is not 0 to 10, an elastic support that is no free node or
-    ///   whose stiffness is not symmetric and positive definite, a strut with a tension law, a
-    ///   buckling load that is not positive or is that of a cable, a sag weight that is negative or
-    ///   that of a strut or of an edge with a tension law.
+    ///   whose stiffness is not symmetric and positive definite, a coupling of other than two of
+    ///   them, one given twice, or couplings with which the whole is not, a strut with a tension
+    ///   law, a buckling load that is not positive or is that of a cable, a sag weight that is
+    ///   negative or that of a strut or of an edge with a tension law.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;
@@ -249,6 +261,10 @@ public:
     /// Free nodes on springs, in the order of the data.
     [[nodiscard]] const std::vector<ElasticSupport>& elastic_supports() const {
         return m_data.elastic_supports;
+    }
+    /// Pairs of elastic supports on one frame.
+    [[nodiscard]] const std::vector<SupportCoupling>& support_couplings() const {
+        return m_data.support_couplings;
     }
     /// Those on the rigid frame, then the elastic ones.
     [[nodiscard]] std::vector<int> all_supports() const;
