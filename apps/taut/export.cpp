@@ -102,6 +102,8 @@ void warn_of_laws(const ExportOptions& options, Exported& exported) {
     for (const auto& [is_given, what] :
          {std::pair(data.mass.size() > 0, "masses (their weight is among the loads)"),
           {!data.groups.empty(), "groups"},
+          {!data.support_couplings.empty(),
+           "what supports on one frame pass on to each other (read back, each stands alone)"},
           {data.expansion.size() > 0, "thermal expansion"},
           {data.breaking_load.size() > 0, "breaking loads"},
           {data.buckling_load.size() > 0, "buckling loads"},

@@ -48,6 +48,33 @@ protected:
     }
 };
 
+TEST_F(Export, SaysThatNoOtherFormatHasAFrame) {
+    const CableNet rigid = net("net.json");
+    std::string frame = "row,column,stiffness\n";
+    for (const int node : {rigid.supports()[0], rigid.supports()[1]}) {
+        for (const char axis : {'x', 'y', 'z'}) {
+            frame += fmt::format("{0}.{1},{0}.{1},1e6\n", node, axis);
+        }
+    }
+    frame += fmt::format("{}.z,{}.z,-3e5\n", rigid.supports()[0], rigid.supports()[1]);
+    write("frame.csv", frame);
+    EXPECT_THAT(must_run({"frame", "net.json", "frame.csv", "-o", "framed.json"}),
+                HasSubstr("frame of 2 supports, of which 1 pairs pass forces on to each other"));
+    const CableNet framed = net("framed.json");
+    EXPECT_EQ(framed.support_couplings().size(), 1U);
+    EXPECT_THAT(read("framed.json"), HasSubstr("colour"));
+    const json told =
+        json::parse(must_run({"frame", "net.json", "frame.csv", "-o", "b.json", "--json"}));
+    EXPECT_EQ(told["coupled_pairs"], 1);
+    EXPECT_EQ(told["supports"], (std::vector{rigid.supports()[0], rigid.supports()[1]}));
+    EXPECT_NEAR(told["stiffness"]["min"].get<double>(), 7e5, 1.0);
+    must_run({"export", "framed.json", "--to", "net", "-o", "again.json"});
+    EXPECT_EQ(net("again.json").support_couplings().size(), 1U);
+    const Outcome exported =
+        run({"export", "framed.json", "--to", "compas", "-o", "c.json", "--json"});
+    EXPECT_THAT(json::parse(exported.out)["warnings"].dump(), HasSubstr("what supports on one frame pass on"));
+}
+
 TEST_F(Export, WarnsOfAFormThatTheLengthsDoNotBalance) {
     const Outcome outcome =
         run({"export", "net.json", "built.csv", "--to", "vtk", "-o", "net.vtk"});

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "identification/uncertain_nets.hpp"
+#include "taut/statics/frame.hpp"
 #include "taut/statics/plausibility.hpp"
 
 namespace of_forces {
@@ -183,6 +184,54 @@ TEST(ElasticSupports, MoveWithTheFrameOfTheSurvey) {
         EXPECT_NEAR(moved.uncertain[k].mean, found.uncertain[k].mean,
                     0.03 * found.uncertain[k].std);
     }
+}
+
+/// A third of the supports stand on one frame, on which each passes a part of its force on.
+CableNet on_one_frame(const CableNet& rigid) {
+    const CableNet springs = on_springs(rigid);
+    FrameStiffness frame;
+    for (const ElasticSupport& support : springs.elastic_supports()) {
+        frame.supports.push_back(support.node);
+    }
+    const auto count = std::ssize(frame.supports);
+    frame.stiffness.setZero(3 * count, 3 * count);
+    for (Eigen::Index a = 0; a < count; ++a) {
+        for (Eigen::Index b = 0; b < count; ++b) {
+            const double part = a == b ? 1.0 : -0.9 / static_cast<double>(count);
+            frame.stiffness.block<3, 3>(3 * a, 3 * b) =
+                part * springs.elastic_supports()[0].stiffness;
+        }
+    }
+    return on_frame(rigid, frame);
+}
+
+TEST(ElasticSupports, OnOneFrameAreInTheIntervalsOfLengthsTensionsAndStiffness) {
+    const CableNet net = on_one_frame(loaded_net());
+    ASSERT_GT(net.support_couplings().size(), 3U);
+    const auto given = uncertain({"supports:1mm", "support-stiffness:10%"});
+    double lengths = 0.0;
+    double tensions = 0.0;
+    Count of_factor;
+    constexpr int surveys = 16;
+    for (int k = 0; k < surveys; ++k) {
+        const Built truth = built(net, given, 500 + k);
+        const Identification found =
+            identify(net, truth.simulated.survey, options_with(given, 100));
+        ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+        EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
+        lengths += coverage(found, truth.simulated.deviations) / surveys;
+        tensions += tensions_held(found, truth.tensions) / (1.0 * surveys * net.edge_count());
+        for (const ParameterEstimate& estimate : found.uncertain) {
+            EXPECT_LE(estimate.std, 1.001 * estimate.prior_std);
+            if (estimate.parameter.kind == UncertainParameter::Kind::support_stiffness) {
+                of_factor.add(std::abs(estimate.mean - truth.perturbation.support_stiffness) <=
+                              half_interval_95 * estimate.std);
+            }
+        }
+    }
+    EXPECT_NEAR(lengths, 0.95, 0.03);
+    EXPECT_NEAR(tensions, 0.95, 0.04);
+    EXPECT_GE(of_factor.part(), 0.75);
 }
 
 TEST(ElasticSupports, ThatStandFarFromTheirPlaceAreNamed) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "support/errors.hpp"
 #include "support/examples.hpp"
 #include "taut/statics/imbalance.hpp"
 
@@ -199,6 +200,38 @@ TEST(NetJson, TakesPlacesOfElasticSupportsFromTheNodesOrFromTheBalance) {
     const CableNet balanced = parse_net(json.dump(), "net.json").net;
     EXPECT_LT(imbalance(balanced, balanced.unstressed_lengths(), balanced.nodes()).share(), 1e-9);
     EXPECT_GT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 0.5);
+}
+
+TEST(NetJson, TakesCouplingsOfSupportsByTheirNodesInAnyOrder) {
+    auto json = nlohmann::json::parse(net_to_json(hypar(2, 2)));
+    json["support_stiffness"] = 1e6;
+    const std::vector<int> supports = json["supports"];
+    const nlohmann::json block{{1e5, 2e5, 0.0}, {0.0, 1e5, 0.0}, {0.0, 0.0, -1e5}};
+    json["support_couplings"] = {{supports[4], supports[2], block}};
+    const CableNet net = parse_net(json.dump(), "net.json").net;
+    ASSERT_EQ(net.support_couplings().size(), 1U);
+    const SupportCoupling& coupling = net.support_couplings()[0];
+    EXPECT_EQ(net.elastic_supports()[coupling.first].node, supports[2]);
+    EXPECT_EQ(net.elastic_supports()[coupling.second].node, supports[4]);
+    EXPECT_EQ(coupling.stiffness(1, 0), 2e5);
+    const CableNet again = parse_net(net_to_json(net), "net.json").net;
+    EXPECT_EQ(again.fingerprint(), net.fingerprint());
+    EXPECT_EQ(again.support_couplings()[0].stiffness, coupling.stiffness);
+
+    const auto error = [&] {
+        return test::input_error_of([&] { return parse_net(json.dump(), "net.json"); });
+    };
+    json["support_couplings"][0][1] = hypar(2, 2).free_nodes()[0];
+    EXPECT_THAT(error(), testing::HasSubstr("/support_couplings/0/1: names no support with a"));
+    json["support_couplings"] = {{supports[4], supports[2], block},
+                                 {supports[2], supports[4], block}};
+    EXPECT_THAT(error(), testing::HasSubstr(
+                             "/support_couplings/1: joins the elastic supports 2 and 4 a second"));
+    json["support_couplings"] = {{supports[4], supports[4], block}};
+    EXPECT_THAT(error(), testing::HasSubstr("expected two of the"));
+    json["support_couplings"] = {{supports[4], supports[2], 2e6}};
+    EXPECT_THAT(error(), testing::HasSubstr("/support_couplings: make a stiffness of all elastic "
+                                            "supports that is not positive definite"));
 }
 
 TEST(NetJson, KeepsSupportsAndAdjustableEdgesThatAreNotTheDefault) {

@@ -206,6 +206,41 @@ def on_springs():
     )
 
 
+def test_supports_on_one_frame_pass_forces_on():
+    net = taut.hypar(3, 3)
+    supports = net.supports[:3]
+    stiffness = 1e6 * np.kron(np.eye(3) - 0.2, np.diag([1.0, 2.0, 3.0]))
+    framed = net.on_frame(stiffness, supports=supports)
+    a, b, _ = supports.tolist()
+    assert np.array_equal(framed.support_stiffness[a], stiffness[:3, :3])
+    assert np.array_equal(framed.support_couplings[a, b], stiffness[:3, 3:6])
+    form = taut.solve_equilibrium(framed).form
+    assert np.abs(form - net.nodes).max() < 1e-9, "the frame balances the nominal form"
+    # Pulled at one, another one moves, too, as the dense stiffness says.
+    places = [framed.support_place[node] for node in supports]
+    forces = stiffness @ (form[supports] - places).ravel()
+    rigid = taut.CableNet(
+        net.nodes, net.supports, net.edges, net.axial_stiffness, net.unstressed_lengths
+    )
+    tension = taut.tensions(rigid, net.unstressed_lengths, net.nodes)
+    pulls = np.zeros_like(net.nodes)
+    for (s, t), pull in zip(net.edges, tension, strict=True):
+        along = net.nodes[t] - net.nodes[s]
+        pulls[s] += pull * along / np.linalg.norm(along)
+        pulls[t] -= pull * along / np.linalg.norm(along)
+    assert forces == pytest.approx(pulls[supports].ravel(), rel=1e-6)
+    assert pickle.loads(pickle.dumps(framed)) == framed
+    assert net.on_frame(1e6 * np.eye(3 * len(net.supports))).support_couplings == {}
+    with pytest.raises(ValueError, match="not symmetric"):
+        net.on_frame(np.triu(stiffness), supports=supports)
+    with pytest.raises(ValueError, match=r"expected 9 x 9"):
+        net.on_frame(stiffness[:6, :6], supports=supports)
+    with pytest.raises(ValueError, match="is no support"):
+        net.on_frame(stiffness, supports=net.free_nodes[:3])
+    with pytest.raises(taut.NetError, match="not positive definite"):
+        net.on_frame(stiffness - 1.2e6 * np.eye(9), supports=supports)
+
+
 def test_elastic_supports_are_free_nodes_that_give_way():
     net = on_springs()
     assert net.supports.tolist() == [2, 4, 1, 3]
