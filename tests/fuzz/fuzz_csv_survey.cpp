@@ -6,6 +6,7 @@
 #include "fuzz.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/forces_csv.hpp"
+#include "taut/io/frame_csv.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 
@@ -18,6 +19,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
              parse_force_measurements(net, text, "forces.csv")) {
             fuzz::require(measurement.tension >= 0.0 && measurement.std > 0.0);
         }
+    });
+    fuzz::refuse_or_read([&] {
+        const FrameStiffness frame = parse_frame(net, text, "frame.csv");
+        fuzz::require(!on_frame(net, frame).elastic_supports().empty());
     });
     fuzz::refuse_or_read([&] {
         for (const int edge : parse_edge_list(net, text, "edges.txt")) {

@@ -89,8 +89,13 @@ def make_originals(sandbox: Sandbox, folder: Path):
         "edges.txt": f"{edge}\n{net['adjustable'][1]}\n",
         "strands.csv": "strain,stress\n0,0\n0.0022,110e6\n0.00286,110e6\n0.02,1352.65e6\n",
         "roof.ply": ROOF,
+        "frame.csv": frame(net["supports"][:2]),
     }.items():
         sandbox.write(name, text)
+    do("frame net.json frame.csv -o framed.json")
+    do("example sliding-ridge -o ridge.json")
+    do("export ridge.json --to compas -o ridge_compas.json")
+    do("export ridge.json --to csv -o ridge.csv")
     for path in sandbox.folder.iterdir():
         if path.is_file():
             (folder / path.name).write_bytes(path.read_bytes())
@@ -102,6 +107,13 @@ def make_originals(sandbox: Sandbox, folder: Path):
     for path in FOREIGN.iterdir():
         if path.suffix != ".py" and "worst" not in path.name:
             (folder / path.name).write_bytes(path.read_bytes())
+
+
+def frame(supports: list[int]) -> str:
+    """The stiffness of a frame of two supports, as frame.csv."""
+    entries = [(f"{node}.{axis}", f"{node}.{axis}", 1e6) for node in supports for axis in "xyz"]
+    entries.append((f"{supports[0]}.z", f"{supports[1]}.z", -3e5))
+    return "row,column,stiffness\n" + "".join(f"{a},{b},{k}\n" for a, b, k in entries)
 
 
 def write_page(what: str, rows: list[tuple[str, int, int, int]]):
