@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -103,7 +106,8 @@ void warn_of_laws(const ExportOptions& options, Exported& exported) {
          {std::pair(data.mass.size() > 0, "masses (their weight is among the loads)"),
           {!data.groups.empty(), "groups"},
           {!data.support_couplings.empty(),
-           "what supports on one frame pass on to each other (read back, each stands alone)"},
+           "what supports on one frame pass on to each other (read back, each stands alone, where "
+           "it holds this form)"},
           {data.expansion.size() > 0, "thermal expansion"},
           {data.breaking_load.size() > 0, "breaking loads"},
           {data.buckling_load.size() > 0, "buckling loads"},

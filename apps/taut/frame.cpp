@@ -4,7 +4,10 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -41,28 +44,30 @@ void run(const FrameOptions& options) {
         parse_frame(file.net, read_table(options.stiffness), options.stiffness);
     const CableNet net = on_frame(file.net, frame);
     write_file(options.output, net_to_json(net, file.unknown_keys));
-    const Eigen::VectorXd strengths =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(frame.stiffness, Eigen::EigenvaluesOnly)
-            .eigenvalues();
+    const Eigen::VectorXd strengths = frame.stiffness.diagonal();
+    const auto replaced = std::ranges::count_if(
+        frame.supports, [&file](int node) { return file.net.free_index(node) >= 0; });
     const double shift = largest_shift(net, frame.supports);
     const size_t pairs = net.support_couplings().size() - file.net.support_couplings().size();
     if (options.json) {
-        say("{}\n", to_text(nlohmann::ordered_json{
-                        {"format", "taut-frame"},
-                        {"version", 1},
-                        {"net", counts_json(net)},
-                        {"supports", frame.supports},
-                        {"coupled_pairs", pairs},
-                        {"stiffness", {{"min", strengths(0)}, {"max", strengths.tail<1>()(0)}}},
-                        {"largest_shift", shift}}));
+        say("{}\n",
+            to_text(nlohmann::ordered_json{
+                {"format", "taut-frame"},
+                {"version", 1},
+                {"net", counts_json(net)},
+                {"supports", frame.supports},
+                {"coupled_pairs", pairs},
+                {"replaced_springs", replaced},
+                {"stiffness", {{"min", strengths.minCoeff()}, {"max", strengths.maxCoeff()}}},
+                {"largest_shift", shift}}));
         return;
     }
-    say("{}\nframe of {} supports, of which {} pairs pass forces on to each other; stiffness "
-        "{:.3g} "
-        "to {:.3g} N/m\nunloaded it stands up to {:.2f} mm from the nominal form, which it "
-        "balances\n"
-        "written to {}\n",
-        counts_text(net), frame.supports.size(), pairs, strengths(0), strengths.tail<1>()(0),
+    say("{}\nframe of {} supports, of which {} pairs pass forces on to each other; stiffness of "
+        "each by "
+        "itself {:.3g} to {:.3g} N/m\n{}unloaded it stands up to {:.2f} mm from the nominal form, "
+        "which it balances\nwritten to {}\n",
+        counts_text(net), frame.supports.size(), pairs, strengths.minCoeff(), strengths.maxCoeff(),
+        replaced > 0 ? fmt::format("it replaces the springs of {} supports\n", replaced) : "",
         1e3 * shift, options.output);
 }
 

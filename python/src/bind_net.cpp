@@ -388,7 +388,8 @@ They stand where the frame balances the nominal form.
 Args:
     stiffness: of the frame, condensed to its supports (3 k, 3 k): the force at x, y, z of each by a
         shift of each. Symmetric and positive definite [N/m].
-    supports: its nodes (k,), by default all of `supports` in their order.
+    supports: its nodes (k,), by default all of `supports` of this net in their order: rigid ones,
+        then those with springs, which are replaced.
 
 Raises:
     ValueError: for a node that is no support or stands on a frame already, and a stiffness of

@@ -124,7 +124,8 @@ ModelPerturbation drawn_perturbation(const StaticsModel& model, const Iterate& d
     result.support_stiffness = std::log(common.support_factor(drawn.common));
     for (const Points& change :
          {common.load_change(drawn.common),
-          Points(common.support_factor(drawn.common) * common.frame_loads(drawn.common))}) {
+          Points(common.support_factor(drawn.common) * common.frame_loads(drawn.common)),
+          Points(common.support_factor(drawn.common) * common.place_loads(drawn.common))}) {
         if (change.cols() > 0) {
             result.own_loads += change;
         }

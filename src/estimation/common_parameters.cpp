@@ -39,6 +39,15 @@ CommonParameters::CommonParameters(const CableNet& net,
         m_slip_count = static_cast<int>(net.sliding_nodes().size());
         m_stretch_count = static_cast<int>(sliding_stretches(net).size());
     }
+    if (const double std = std_of(uncertain, UncertainParameter::Kind::supports); std > 0.0) {
+        for (const int node : coupled_supports(net)) {
+            for (int axis = 0; axis < 3; ++axis) {
+                Points shift = Points::Zero(3, net.node_count());
+                shift(axis, node) = std;
+                m_place_loads.push_back(support_forces(net, shift));
+            }
+        }
+    }
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
     m_load_rates.assign(count(), Points(3, 0));
@@ -167,6 +176,14 @@ Points CommonParameters::frame_loads(const Eigen::VectorXd& values) const {
     Points loads = Points::Zero(3, m_frame_loads.empty() ? 0 : m_node_count);
     for (size_t k = 0; k < m_frame_loads.size(); ++k) {
         loads += values(first_of_frame() + static_cast<Eigen::Index>(k)) * m_frame_loads[k];
+    }
+    return loads;
+}
+
+Points CommonParameters::place_loads(const Eigen::VectorXd& values) const {
+    Points loads = Points::Zero(3, m_place_loads.empty() ? 0 : m_node_count);
+    for (size_t k = 0; k < m_place_loads.size(); ++k) {
+        loads += values(first_of_places() + static_cast<Eigen::Index>(k)) * m_place_loads[k];
     }
     return loads;
 }

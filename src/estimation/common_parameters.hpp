@@ -35,9 +35,10 @@ struct BoundaryReleases {
 
 /// The parameters in the border of the matrix, in their standard deviations: common factors of the
 /// stiffness, temperatures, creep (thermal strains hold both), a factor of the loads and errors of
-/// force measurements; a slip of each sliding node and a tension of each stretch that slides; six
-/// of the survey's frame, as a small motion of all supports; three of each released support and one
-/// of each released adjustable edge. docs/theory.md, (common), (slips), (frame), (boundary).
+/// force measurements; a slip of each sliding node and a tension of each stretch that slides; three
+/// of each support on a common frame, its place without load, where these are uncertain; six of the
+/// survey's frame, as a small motion of all supports; three of each released support and one of
+/// each released adjustable edge. docs/theory.md, (common), (slips), (frame), (boundary).
 class CommonParameters {
 public:
     CommonParameters() = default;
@@ -135,8 +136,15 @@ public:
                    ? Eigen::Vector3d(m_motions[motion].col(node))
                    : Eigen::Vector3d::Zero();
     }
+    /// Place of the first of three parameters of the first support on a common frame, in the order
+    /// of coupled_supports().
+    [[nodiscard]] int first_of_places() const { return first_of_stretches() + m_stretch_count; }
+    /// K times the errors of their places (3 x n); 3 x 0: none [N].
+    [[nodiscard]] Points place_loads(const Eigen::VectorXd& values) const;
     /// Place of the first parameter of the frame: three translations, then three rotations.
-    [[nodiscard]] int first_of_frame() const { return first_of_stretches() + m_stretch_count; }
+    [[nodiscard]] int first_of_frame() const {
+        return first_of_places() + static_cast<int>(m_place_loads.size());
+    }
     /// Centre of the rotations of the frame.
     [[nodiscard]] const Eigen::Vector3d& frame_middle() const { return m_middle; }
     /// Standard deviations of a translation [m] and of a rotation [rad].
@@ -151,8 +159,12 @@ public:
     [[nodiscard]] Points frame_motion(const Eigen::VectorXd& values) const;
     /// K m of elastic supports, which move by m with the frame (3 x n); 3 x 0: none [N].
     [[nodiscard]] Points frame_loads(const Eigen::VectorXd& values) const;
-    /// By one standard deviation of a parameter, at a node [N].
-    [[nodiscard]] Eigen::Vector3d frame_load_rate(int k, int node) const {
+    /// K times the change of the places of elastic supports by one standard deviation of a
+    /// parameter, at a node [N].
+    [[nodiscard]] Eigen::Vector3d place_load_rate(int k, int node) const {
+        if (k >= first_of_places() && k < first_of_frame()) {
+            return m_place_loads[static_cast<size_t>(k - first_of_places())].col(node);
+        }
         const int i = k - first_of_frame();
         return i >= 0 && i < std::ssize(m_frame_loads) ? Eigen::Vector3d(m_frame_loads[i].col(node))
                                                        : Eigen::Vector3d::Zero();
@@ -170,8 +182,9 @@ private:
     double m_slip_std = 0.0;
     int m_slip_count = 0;
     int m_stretch_count = 0;
-    std::vector<Points> m_motions;     ///< six of the frame, or none; three a moved support
-    std::vector<Points> m_load_rates;  ///< count, each 3 x n or 3 x 0
+    std::vector<Points> m_place_loads;  ///< three a support on a common frame, each 3 x n [N]
+    std::vector<Points> m_motions;      ///< six of the frame, or none; three a moved support
+    std::vector<Points> m_load_rates;   ///< count, each 3 x n or 3 x 0
     Eigen::Index m_node_count = 0;
     std::vector<Points> m_frame_loads;  ///< of six parameters, or none, each 3 x n [N]
     Eigen::Vector3d m_middle = Eigen::Vector3d::Zero();

@@ -251,7 +251,7 @@ void Linearisation::add_elastic_supports(const Iterate& iterate) {
             m_matrix->border[k].multipliers.col(local) +=
                 m_multiplier_unit * factor *
                 (common.support_stiffness_rate(k) * force -
-                 common.frame_load_rate(k, support.node));
+                 common.place_load_rate(k, support.node));
         }
     }
 }

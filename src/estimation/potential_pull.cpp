@@ -76,7 +76,7 @@ void add_balance_of_nodes(const StaticsModel& model, const Iterate& at, const Po
         for (const ElasticSupport& support : net.elastic_supports()) {
             pull.common(k) -=
                 factor * (common.support_stiffness_rate(k) * springs.col(support.node) -
-                          common.frame_load_rate(k, support.node))
+                          common.place_load_rate(k, support.node))
                              .dot(pull.multipliers.col(support.node));
         }
     }

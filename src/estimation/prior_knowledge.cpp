@@ -175,10 +175,12 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
         for (const int node : net.supports()) {
             result.support_weights.col(node).setConstant(1.0 / (std * std));
         }
-        const std::vector<Eigen::Matrix3d> squares = squared_support_stiffness(net);
-        for (size_t i = 0; i < squares.size(); ++i) {
-            const ElasticSupport& support = net.elastic_supports()[i];
-            const Eigen::Matrix3d V = std * std * squares[i];
+        const std::vector<int> coupled = coupled_supports(net);
+        for (const ElasticSupport& support : net.elastic_supports()) {
+            if (std::ranges::find(coupled, support.node) != coupled.end()) {
+                continue;  // of CommonParameters
+            }
+            const Eigen::Matrix3d V = std * std * support.stiffness * support.stiffness;
             result.load_variance.col(support.node) += V.diagonal();
             if (!V.isDiagonal(0.0)) {
                 result.cross_load_variance.conservativeResizeLike(

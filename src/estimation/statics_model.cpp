@@ -161,8 +161,11 @@ Eigen::VectorXd StaticsModel::load_factors(const Iterate& iterate) const {
 
 Points StaticsModel::designed_elastic_forces(const Iterate& iterate) const {
     Points result = elastic_forces(*m_net, iterate.form);
-    if (const Points by_frame = common.frame_loads(iterate.common); by_frame.cols() > 0) {
-        result -= by_frame;
+    for (const Points& by_places :
+         {common.frame_loads(iterate.common), common.place_loads(iterate.common)}) {
+        if (by_places.cols() > 0) {
+            result -= by_places;
+        }
     }
     return result;
 }

@@ -17,9 +17,9 @@ namespace taut {
 
 /// A stiffness of 3 x 3: one number for all directions, three for x, y, z, or nine.
 /// @throws InputError for anything else
-[[nodiscard]] inline Eigen::Matrix3d read_stiffness(const JsonValue& value) {
-    constexpr const char* expected =
-        "null, a number, three numbers [x, y, z] or a matrix of 3 x 3 [N/m]";
+[[nodiscard]] inline Eigen::Matrix3d read_stiffness(
+    const JsonValue& value,
+    const char* expected = "null, a number, three numbers [x, y, z] or a matrix of 3 x 3 [N/m]") {
     if (value.json().is_number()) {
         return value.number() * Eigen::Matrix3d::Identity();
     }

@@ -70,7 +70,8 @@ Rates force_rates(const StaticsModel& model, const Iterate& iterate) {
             for (int k = 0; k < model.common.count(); ++k) {
                 entries.emplace_back(
                     3 * support.node + i, columns.common + k,
-                    model.common.support_stiffness_rate(k) * factor * springs(i, support.node));
+                    factor * (model.common.support_stiffness_rate(k) * springs(i, support.node) -
+                              model.common.place_load_rate(k, support.node)(i)));
             }
         }
     }

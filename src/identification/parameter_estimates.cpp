@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "identification/parameter_estimates.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -191,9 +190,15 @@ private:
                 m_fitted.form.col(node) - m_net.nodes().col(node) - motion.col(node);
             add_node(parameter, node, shift, m_covariance.places[node]);
         }
-        const std::vector<Eigen::Matrix3d> squares = squared_support_stiffness(m_net);
-        for (size_t i = 0; i < squares.size(); ++i) {
-            add_place_of_elastic(parameter, m_net.elastic_supports()[i], squares[i]);
+        const std::vector<int> coupled = coupled_supports(m_net);
+        for (const ElasticSupport& support : m_net.elastic_supports()) {
+            const auto found = std::ranges::find(coupled, support.node);
+            if (found == coupled.end()) {
+                add_place_of_elastic(parameter, support);
+            } else {
+                add_place_on_frame(parameter, support.node,
+                                   static_cast<int>(found - coupled.begin()));
+            }
         }
     }
 
@@ -211,15 +216,19 @@ private:
     }
 
     /// (elastic-supports): the place of a support without load, by the force that its error adds.
-    /// On a frame this force is that of all its supports, and the place the one that would give it.
-    /// @param square K K^T
-    void add_place_of_elastic(const UncertainParameter& parameter, const ElasticSupport& support,
-                              const Eigen::Matrix3d& square) {
-        const ForceShare force = force_share(support.node, parameter.std * parameter.std * square);
-        const Eigen::Matrix3d flexibility =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(square).operatorInverseSqrt();
+    void add_place_of_elastic(const UncertainParameter& parameter, const ElasticSupport& support) {
+        const Eigen::Matrix3d& K = support.stiffness;
+        const ForceShare force = force_share(support.node, parameter.std * parameter.std * K * K);
+        const Eigen::Matrix3d flexibility = K.inverse();
         add_node(parameter, support.node, flexibility * force.mean,
                  flexibility * force.covariance * flexibility);
+    }
+
+    /// @param i position of the support in coupled_supports()
+    void add_place_on_frame(const UncertainParameter& parameter, int node, int i) {
+        const int first = m_model.common.first_of_places() + 3 * i;
+        add_node(parameter, node, parameter.std * m_fitted.common.segment<3>(first),
+                 parameter.std * parameter.std * m_covariance.common.block<3, 3>(first, first));
     }
 
     void add_own_loads(const UncertainParameter& parameter) {

@@ -21,7 +21,7 @@ ordered_json nodes_json(const CableNet& net, const Points& form, const RunValues
                                        {"px", load.x()},     {"py", load.y()},
                                        {"pz", load.z()},     {"name", net.node_id(node)}};
         ordered_json& written = nodes[std::to_string(node)];
-        if (const ElasticSupport* support = elastic_support_at(net, node); support != nullptr) {
+        if (const auto support = elastic_support_at(net, form, node)) {
             for (const auto& row : support->stiffness.rowwise()) {
                 written["support_stiffness"].push_back({row(0), row(1), row(2)});
             }

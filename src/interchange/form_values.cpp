@@ -4,10 +4,12 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <set>
 #include <stdexcept>
 
+#include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -40,9 +42,10 @@ RunValues run_values(const CableNet& net) {
     const std::vector<CableRun>& runs = net.data().runs;
     for (size_t k = 0; k < runs.size(); ++k) {
         std::string name = runs[k].name.empty() ? fmt::format("run {}", k + 1) : runs[k].name;
-        if (!taken.insert(name).second) {
+        while (!taken.insert(name).second) {
             name += fmt::format(" ({})", k + 1);
         }
+        std::ranges::replace(name, ';', ',');  // which lists names in CSV
         for (const int edge : runs[k].edges) {
             values.of_edges[edge] = name;
             values.friction[edge] = runs[k].friction;
@@ -54,9 +57,18 @@ RunValues run_values(const CableNet& net) {
     return values;
 }
 
-const ElasticSupport* elastic_support_at(const CableNet& net, int node) {
+std::optional<ElasticSupport> elastic_support_at(const CableNet& net, const Points& form,
+                                                 int node) {
     const auto found = std::ranges::find(net.elastic_supports(), node, &ElasticSupport::node);
-    return found == net.elastic_supports().end() ? nullptr : &*found;
+    if (found == net.elastic_supports().end()) {
+        return std::nullopt;
+    }
+    ElasticSupport support = *found;
+    if (!net.support_couplings().empty()) {
+        const Points forces = elastic_forces(net, form);
+        support.place = form.col(node) - support.stiffness.llt().solve(forces.col(node));
+    }
+    return support;
 }
 
 std::vector<bool> adjustable_flags(const CableNet& net) {

@@ -38,8 +38,11 @@ struct RunValues {
 };
 [[nodiscard]] RunValues run_values(const CableNet& net);
 
-/// The elastic support at a node; null where there is none.
-[[nodiscard]] const ElasticSupport* elastic_support_at(const CableNet& net, int node);
+/// The elastic support at a node, if any. One on a frame with others alone, where it holds the form
+/// as it does on the frame.
+/// @param form 3 x n [m]
+[[nodiscard]] std::optional<ElasticSupport> elastic_support_at(const CableNet& net,
+                                                               const Points& form, int node);
 
 /// Whether each edge is adjustable.
 [[nodiscard]] std::vector<bool> adjustable_flags(const CableNet& net);

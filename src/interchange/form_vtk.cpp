@@ -92,9 +92,9 @@ std::string form_to_vtk(const CableNet& net, const Points& form) {
         Points places = form;
         result += "TENSORS support_stiffness double\n";
         for (int node = 0; node < n; ++node) {
-            const ElasticSupport* support = elastic_support_at(net, node);
+            const auto support = elastic_support_at(net, form, node);
             Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-            if (support != nullptr) {
+            if (support) {
                 stiffness = support->stiffness;
                 places.col(node) = support->place;
             }

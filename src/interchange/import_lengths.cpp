@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "interchange/import_numbers.hpp"
@@ -51,20 +52,25 @@ double tension_of(const Stored& stored, Eigen::Index edge, double unstressed, do
 }
 
 /// l_0 of an edge under a tension: l / (1 + strain), where that of a cable that sags depends on
-/// l_0.
+/// l_0. NaN where a cable that sags so much cannot have this tension.
 double unstressed_length(const Stored& stored, Eigen::Index edge, double tension,
                          double force_unit) {
     const double length = stored.lengths(edge);
     if (stored.sag_weights(edge) == 0.0) {
         return length / (1.0 + stored.stiffness.strain(edge, tension, force_unit));
     }
-    constexpr int enough = 100;
+    constexpr int most_iterations = 100;
+    constexpr double converged = 1e-14;
     double result = length;
-    for (int k = 0; k < enough; ++k) {
+    for (int k = 0; tension > 0.0 && k < most_iterations; ++k) {
         const TensionLaw law = sagging_law(stored, edge, result, force_unit);
-        result = length / (1.0 + law.strain_at(tension));
+        const double next = length / (1.0 + law.strain_at(tension));
+        if (std::abs(next - result) <= converged * length) {
+            return next;
+        }
+        result = next;
     }
-    return result;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 Stored collect(const ImportedStructure& structure, const ImportSettings& settings,
@@ -117,11 +123,16 @@ bool is_consistent(const Stored& stored, double force_unit) {
     return largest <= consistent_within * expected.cwiseAbs().mean();
 }
 
-Eigen::VectorXd lengths_from_tensions(const Stored& stored, const Eigen::VectorXd& tensions,
-                                      double force_unit) {
+Eigen::VectorXd lengths_from_tensions(const ImportedStructure& structure, const Stored& stored,
+                                      const Eigen::VectorXd& tensions, double force_unit) {
     Eigen::VectorXd result(tensions.size());
     for (Eigen::Index e = 0; e < tensions.size(); ++e) {
         result(e) = unstressed_length(stored, e, tensions(e), force_unit);
+        if (std::isnan(result(e)) && stored.sag_weights(e) > 0.0) {
+            fail_at(structure, structure.edges[e],
+                    fmt::format("has a tension of {:.3g} N, which cannot carry its sag_weight",
+                                tensions(e)));
+        }
     }
     return result;
 }
@@ -269,7 +280,7 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
                                           stored.forces.source == "q" ? "q l" : "f"));
         result.unstressed =
             are_linear ? unstressed_lengths_for(stored.lengths, tensions, result.axial_stiffness)
-                       : lengths_from_tensions(stored, tensions, force_unit);
+                       : lengths_from_tensions(structure, stored, tensions, force_unit);
     }
     if (!stored.sag_weights.isZero(0.0)) {
         result.sag_weight = force_unit * stored.sag_weights;

@@ -150,17 +150,55 @@ std::vector<CableRun> sliding_runs(const CableNet& net, Slides by) {
     return runs;
 }
 
+/// Edges of a ring begin where it does not slide.
+template <class Slides>
+void cut_ring(const CableNet& net, const Slides& slides, std::vector<int>& edges) {
+    const auto shared = [&net](int edge, int other) {
+        const auto [s, t] = net.edges()[edge];
+        const auto [u, v] = net.edges()[other];
+        return s == u || s == v ? s : t == u || t == v ? t : -1;
+    };
+    if (edges.size() < 3 || shared(edges.front(), edges.back()) < 0) {
+        return;
+    }
+    for (size_t k = 0; k < edges.size(); ++k) {
+        const int before = edges[(k + edges.size() - 1) % edges.size()];
+        if (!slides(shared(before, edges[k]))) {
+            std::ranges::rotate(edges, edges.begin() + static_cast<std::ptrdiff_t>(k));
+            return;
+        }
+    }
+}
+
+/// Refuses a run that is named at a node where it does not slide: a slip of the pen, most likely.
+void check_slides(const ImportedStructure& structure, const std::vector<CableRun>& runs) {
+    for (size_t i = 0; i < structure.nodes.size(); ++i) {
+        for (const std::string& name : structure.nodes[i].slides) {
+            const auto run = std::ranges::find(runs, name, &CableRun::name);
+            if (run == runs.end() ||
+                std::ranges::find(run->slides_at, static_cast<int>(i)) == run->slides_at.end()) {
+                throw InputError(structure.file, structure.nodes[i].place,
+                                 fmt::format("node {} says that the run '{}' slides there, but no "
+                                             "two edges of such a run follow each other at it",
+                                             structure.nodes[i].id, name));
+            }
+        }
+    }
+}
+
 /// The runs that the edges name, sliding where the nodes say so.
 std::vector<CableRun> runs_of(const CableNet& net, const ImportedStructure& structure) {
     std::map<std::string, std::vector<int>> edges_of;
     for (int e = 0; e < net.edge_count(); ++e) {
         if (const std::string& run = structure.edges[e].run; !run.empty()) {
             edges_of[run].push_back(e);
+        } else if (structure.edges[e].numbers.contains("friction")) {
+            fail_at(structure, structure.edges[e], "has a friction, but no run");
         }
     }
     std::vector<CableRun> runs;
     for (const auto& [name, edges] : edges_of) {
-        const std::vector<std::vector<int>> paths = paths_of(net, edges);
+        std::vector<std::vector<int>> paths = paths_of(net, edges);
         if (edges.size() > 1 && (paths.size() != 1 || paths[0].size() != edges.size())) {
             fail_at(structure, structure.edges[edges[0]],
                     fmt::format("is part of the run '{}', whose edges do not follow each other "
@@ -170,13 +208,17 @@ std::vector<CableRun> runs_of(const CableNet& net, const ImportedStructure& stru
         std::vector<int> everywhere(static_cast<size_t>(net.node_count()));  // on saddles, too
         std::iota(everywhere.begin(), everywhere.end(), 0);
         CableRun run{.name = name,
-                     .edges = edges.size() > 1 ? paths[0] : edges,
+                     .edges = edges.size() > 1 ? std::move(paths[0]) : edges,
                      .slides_at = std::move(everywhere)};
+        const auto slides = [&structure, &run](int node) {
+            const ImportedNode& at = structure.nodes[node];
+            return at.all_slide || std::ranges::find(at.slides, run.name) != at.slides.end();
+        };
+        cut_ring(net, slides, run.edges);
         const std::vector<SlidingNode> passed = sliding_nodes_of(net.edges(), run);
         run.slides_at.clear();
         for (const SlidingNode& at : passed) {
-            const ImportedNode& node = structure.nodes[at.node];
-            if (node.all_slide || std::ranges::find(node.slides, name) != node.slides.end()) {
+            if (slides(at.node)) {
                 run.slides_at.push_back(at.node);
             }
         }
@@ -195,6 +237,7 @@ std::vector<CableRun> runs_of(const CableNet& net, const ImportedStructure& stru
         }
         runs.push_back(std::move(run));
     }
+    check_slides(structure, runs);
     return runs;
 }
 
@@ -217,8 +260,13 @@ CableNet with_runs(const CableNet& net, std::vector<CableRun> runs, const std::s
 CableNet with_sliding_runs(const CableNet& net, Slides by, const ImportedStructure& structure,
                            ImportReport& report) {
     const std::string& file = structure.file;
-    const bool gives_runs = std::ranges::any_of(
-        structure.edges, [](const ImportedEdge& edge) { return !edge.run.empty(); });
+    const bool gives_runs =
+        std::ranges::any_of(structure.edges,
+                            [](const ImportedEdge& edge) {
+                                return !edge.run.empty() || edge.numbers.contains("friction");
+                            }) ||
+        std::ranges::any_of(structure.nodes,
+                            [](const ImportedNode& node) { return !node.slides.empty(); });
     if (gives_runs && by == Slides::none) {
         CableNet result = with_runs(net, runs_of(net, structure), file);
         report.read.push_back(fmt::format("{} runs of cable, which slide {} times through a node",

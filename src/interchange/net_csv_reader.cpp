@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 
 #include "files/csv_reader.hpp"
 #include "files/message.hpp"
@@ -89,31 +91,49 @@ private:
 
 using NodeOf = std::map<std::string, int>;
 
-/// What stands between semicolons.
-std::vector<std::string> parts_of(const std::string& text) {
-    std::vector<std::string> parts;
-    for (size_t at = 0; at < text.size();) {
+/// What stands between semicolons: names of runs, or true or 1 for all.
+void read_slides(const std::string& text, ImportedNode& node) {
+    node.all_slide = text == "true" || text == "1";
+    for (size_t at = 0; !node.all_slide && at < text.size();) {
         const size_t end = std::min(text.find(';', at), text.size());
-        parts.push_back(text.substr(at, end - at));
+        const size_t first = std::min(text.find_first_not_of(' ', at), end);
+        const size_t last = text.find_last_not_of(' ', end - 1);
+        if (first < end) {
+            node.slides.push_back(text.substr(first, last + 1 - first));
+        }
         at = end + 1;
     }
-    return parts;
+}
+
+/// Numbers of columns of which a line has all or none.
+std::optional<Eigen::Vector3d> read_three(const Table& table,
+                                          const std::array<const char*, 3>& names) {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    int given = 0;
+    for (size_t k = 0; k < names.size(); ++k) {
+        if (const auto column = table.column(names[k]); column && !table.field(*column).empty()) {
+            result(static_cast<Eigen::Index>(k)) = table.number(*column);
+            ++given;
+        }
+    }
+    if (given != 0 && given != 3) {
+        table.fail(fmt::format("has {} of {}, {} and {}, expected all or none", given, names[0],
+                               names[1], names[2]));
+    }
+    return given == 3 ? std::optional(result) : std::nullopt;
 }
 
 /// Stiffness and place of a support that gives way; empty fields where it is rigid.
 void read_support(const Table& table, ImportedNode& node) {
-    const auto first = table.column("kxx");
-    if (!first || table.field(*first).empty()) {
-        return;
-    }
-    const auto number = [&table](const char* name) { return table.number(name, 0.0); };
-    const double xy = number("kxy");
-    const double xz = number("kxz");
-    const double yz = number("kyz");
-    node.support_stiffness =
-        Eigen::Matrix3d{{number("kxx"), xy, xz}, {xy, number("kyy"), yz}, {xz, yz, number("kzz")}};
-    if (const auto x = table.column("x0"); x && !table.field(*x).empty()) {
-        node.support_place = Eigen::Vector3d(number("x0"), number("y0"), number("z0"));
+    const auto along = read_three(table, {"kxx", "kyy", "kzz"});
+    const auto across = read_three(table, {"kxy", "kxz", "kyz"});
+    node.support_place = read_three(table, {"x0", "y0", "z0"});
+    if (along) {
+        const Eigen::Vector3d k = across.value_or(Eigen::Vector3d::Zero());
+        node.support_stiffness = Eigen::Matrix3d{
+            {along->x(), k(0), k(1)}, {k(0), along->y(), k(2)}, {k(1), k(2), along->z()}};
+    } else if (across || node.support_place) {
+        table.fail("has a support that gives way without kxx, kyy and kzz");
     }
 }
 
@@ -141,7 +161,7 @@ NodeOf read_nodes(std::string_view text, ImportedStructure& structure) {
         node.is_support = table.number("is_free", 1.0) == 0.0;
         read_support(table, node);
         if (const auto slides = table.column("slides"); slides) {
-            node.slides = parts_of(table.field(*slides));
+            read_slides(table.field(*slides), node);
         }
         structure.nodes.push_back(std::move(node));
     }

@@ -37,7 +37,7 @@ NetCsv form_to_net_csv(const CableNet& net, const Points& form) {
         result.nodes += fmt::format("{},{},{},{},{},0,0,0,{},{},{}", csv_field(net.node_id(node)),
                                     form(0, node), form(1, node), form(2, node),
                                     net.is_support(node) ? 0 : 1, load.x(), load.y(), load.z());
-        if (const ElasticSupport* support = elastic_support_at(net, node); support != nullptr) {
+        if (const auto support = elastic_support_at(net, form, node)) {
             const Eigen::Matrix3d& K = support->stiffness;
             const Eigen::Vector3d& place = support->place;
             result.nodes += fmt::format(",{},{},{},{},{},{},{},{},{}", K(0, 0), K(1, 1), K(2, 2),

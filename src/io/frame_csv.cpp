@@ -80,11 +80,14 @@ Entries read_entries(const CsvTable& table, Directions& directions) {
 Entries read_rows(const CsvTable& table, const std::vector<std::string>& header,
                   Directions& directions) {
     Entries entries;
+    std::vector<Eigen::Index> columns;
     for (const CsvRecord& line : table.rows()) {
         const Eigen::Index row = directions.row_of(table, line, table.text(line, 0));
         for (size_t k = 1; k < header.size(); ++k) {
-            const Eigen::Index column = directions.row_of(table, line, header[k]);
-            add_entry(table, line, {row, column}, table.number(line, k), entries);
+            if (columns.size() < k) {
+                columns.push_back(directions.row_of(table, line, header[k]));
+            }
+            add_entry(table, line, {row, columns[k - 1]}, table.number(line, k), entries);
         }
     }
     return entries;
@@ -103,10 +106,16 @@ FrameStiffness parse_frame(const CableNet& net, std::string_view text,
     }
     const CsvTable table(text, file_name, {.names = header, .header = CsvColumns::Header::required},
                          "holds no stiffness");
+    constexpr size_t most_supports = 1000;  // of a dense matrix of 72 MB
     Directions directions(net);
     const Entries entries =
         is_list ? read_entries(table, directions) : read_rows(table, header, directions);
     FrameStiffness frame{.supports = directions.supports(), .stiffness = {}};
+    if (frame.supports.size() > most_supports) {
+        throw InputError(file_name, "",
+                         fmt::format("is of {} supports, expected no more than {}",
+                                     frame.supports.size(), most_supports));
+    }
     const auto size = static_cast<Eigen::Index>(3 * frame.supports.size());
     frame.stiffness.setZero(size, size);
     for (const auto& [place, value] : entries) {

@@ -287,9 +287,10 @@ void read_support_couplings(const std::optional<JsonValue>& list, CableNetData& 
     for (size_t i = 0; list && i < list->array_size("an array of couplings"); ++i) {
         const JsonValue entry = list->at(i);
         entry.require_array(3, "[support, support, matrix of 3 x 3 [N/m]]");
-        SupportCoupling coupling{.first = elastic_support_named(entry.at(0), data),
-                                 .second = elastic_support_named(entry.at(1), data),
-                                 .stiffness = read_stiffness(entry.at(2))};
+        SupportCoupling coupling{
+            .first = elastic_support_named(entry.at(0), data),
+            .second = elastic_support_named(entry.at(1), data),
+            .stiffness = read_stiffness(entry.at(2), "a matrix of 3 x 3 [N/m]")};
         if (coupling.first > coupling.second) {
             std::swap(coupling.first, coupling.second);
             coupling.stiffness.transposeInPlace();

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "net/support_stiffness.hpp"
 
+#include <iterator>
+#include <set>
+
 namespace taut {
 
 Points support_forces(const CableNet& net, const Points& shifts) {
@@ -19,16 +22,13 @@ Points support_forces(const CableNet& net, const Points& shifts) {
     return forces;
 }
 
-std::vector<Eigen::Matrix3d> squared_support_stiffness(const CableNet& net) {
-    std::vector<Eigen::Matrix3d> squares;
-    for (const ElasticSupport& support : net.elastic_supports()) {
-        squares.emplace_back(support.stiffness * support.stiffness);
+std::vector<int> coupled_supports(const CableNet& net) {
+    std::set<int> nodes;
+    for (const SupportCoupling& coupling : net.support_couplings()) {
+        nodes.insert(net.elastic_supports()[coupling.first].node);
+        nodes.insert(net.elastic_supports()[coupling.second].node);
     }
-    for (const auto& [first, second, stiffness] : net.support_couplings()) {
-        squares[first] += stiffness * stiffness.transpose();
-        squares[second] += stiffness.transpose() * stiffness;
-    }
-    return squares;
+    return {nodes.begin(), nodes.end()};
 }
 
 SupportStiffness::SupportStiffness(const CableNet& net)

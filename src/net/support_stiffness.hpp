@@ -15,9 +15,8 @@ namespace taut {
 /// @param shifts of all nodes, of which those at elastic supports count (3 x n) [m]
 [[nodiscard]] Points support_forces(const CableNet& net, const Points& shifts);
 
-/// K K^T of each elastic support: the covariance of its force where all places without load have
-/// errors of one metre [N2/m2].
-[[nodiscard]] std::vector<Eigen::Matrix3d> squared_support_stiffness(const CableNet& net);
+/// Nodes of the elastic supports that stand on one frame with others, ascending.
+[[nodiscard]] std::vector<int> coupled_supports(const CableNet& net);
 
 /// The stiffness of all elastic supports and its factor, three rows each, in their order.
 class SupportStiffness {

@@ -193,14 +193,15 @@ void check_support_couplings(const CableNetData& data) {
         const auto& [first, second, stiffness] = data.support_couplings[static_cast<size_t>(i)];
         if (first < 0 || second <= first || second >= count) {
             throw NetError("support_couplings", {i},
-                           fmt::format("joins the elastic supports {} and {}, expected two of the "
-                                       "{}, the first one first",
+                           fmt::format("joins the elastic supports number {} and {}, expected two "
+                                       "different ones of the {}, the first one first",
                                        first, second, count));
         }
         if (!seen.emplace(first, second).second) {
-            throw NetError(
-                "support_couplings", {i},
-                fmt::format("joins the elastic supports {} and {} a second time", first, second));
+            throw NetError("support_couplings", {i},
+                           fmt::format("joins the nodes {} and {} a second time",
+                                       data.elastic_supports[static_cast<size_t>(first)].node,
+                                       data.elastic_supports[static_cast<size_t>(second)].node));
         }
         if (!stiffness.allFinite() || stiffness.cwiseAbs().maxCoeff() > largest_magnitude) {
             throw NetError("support_couplings", {i},
@@ -215,10 +216,8 @@ void check_support_couplings(const CableNetData& data) {
         support_stiffness_matrix(data.elastic_supports, data.support_couplings);
     // A weaker direction would be lost in rounding errors, here those of a frame program, too.
     constexpr double weakest_share = 1e-10;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
-                                Eigen::NaturalOrdering<int>>
-        factor(matrix);
-    const Eigen::VectorXd diagonal = matrix.diagonal();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+    const Eigen::VectorXd diagonal = factor.permutationP() * Eigen::VectorXd(matrix.diagonal());
     if (factor.info() != Eigen::Success ||
         !(factor.vectorD().array() > weakest_share * diagonal.array()).all()) {
         throw NetError("support_couplings", {},

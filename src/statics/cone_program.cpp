@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/cone_program.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

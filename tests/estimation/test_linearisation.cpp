@@ -26,7 +26,7 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
-constexpr int common_count = 4;
+constexpr int common_count = 4 + 2 * 3;  // and three places of each of two supports on a frame
 // of parameters
 
 CableNet loaded_net() {
@@ -130,16 +130,21 @@ protected:
         const Eigen::VectorXd tension = edge_tensions(x);
         Points forces = -(1.0 + 0.1 * it.common(2)) * m_net.loads() - it.loads;
         const double factor = std::exp(0.1 * it.common(3));
+        Points shifts = Points::Zero(3, m_net.node_count());
+        for (size_t i = 0; i < 2; ++i) {  // places in the order of their nodes, by 1 mm
+            const ElasticSupport& support = m_net.elastic_supports()[1 - i];
+            shifts.col(support.node) = it.form.col(support.node) - support.place -
+                                       1e-3 * it.common.segment<3>(4 + 3 * static_cast<int>(i));
+        }
         for (const auto& [node, stiffness, place] : m_net.elastic_supports()) {
-            const Eigen::Vector3d error = it.loads.col(node);  // of the place, times K
-            forces.col(node) += factor * (stiffness * (it.form.col(node) - place) - error) + error;
+            const Eigen::Vector3d error = it.loads.col(node);
+            forces.col(node) += factor * (stiffness * shifts.col(node) - error) + error;
         }
         const SupportCoupling& frame = m_net.support_couplings().front();
         const ElasticSupport& one = m_net.elastic_supports()[0];
         const ElasticSupport& other = m_net.elastic_supports()[1];
-        forces.col(one.node) += factor * frame.stiffness * (it.form.col(other.node) - other.place);
-        forces.col(other.node) +=
-            factor * frame.stiffness.transpose() * (it.form.col(one.node) - one.place);
+        forces.col(one.node) += factor * frame.stiffness * shifts.col(other.node);
+        forces.col(other.node) += factor * frame.stiffness.transpose() * shifts.col(one.node);
         for (int e = 0; e < m_net.edge_count(); ++e) {
             const auto [s, t] = m_net.edges()[e];
             const Eigen::Vector3d u = (it.form.col(s) - it.form.col(t)).normalized();

@@ -212,6 +212,7 @@ TEST(ElasticSupports, OnOneFrameAreInTheIntervalsOfLengthsTensionsAndStiffness) 
     double lengths = 0.0;
     double tensions = 0.0;
     Count of_factor;
+    Count of_places;
     constexpr int surveys = 16;
     for (int k = 0; k < surveys; ++k) {
         const Built truth = built(net, given, 500 + k);
@@ -221,14 +222,16 @@ TEST(ElasticSupports, OnOneFrameAreInTheIntervalsOfLengthsTensionsAndStiffness) 
         EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
         lengths += coverage(found, truth.simulated.deviations) / surveys;
         tensions += tensions_held(found, truth.tensions) / (1.0 * surveys * net.edge_count());
+        // The net as identified has the form that was fitted.
+        EXPECT_LT(found.residuals.mean(), 2.0 * noise);
         for (const ParameterEstimate& estimate : found.uncertain) {
             EXPECT_LE(estimate.std, 1.001 * estimate.prior_std);
-            if (estimate.parameter.kind == UncertainParameter::Kind::support_stiffness) {
-                of_factor.add(std::abs(estimate.mean - truth.perturbation.support_stiffness) <=
-                              half_interval_95 * estimate.std);
-            }
+            (estimate.node >= 0 ? of_places : of_factor)
+                .add(std::abs(estimate.mean - truth_of(truth.perturbation, net, estimate)) <=
+                     half_interval_95 * estimate.std);
         }
     }
+    EXPECT_GE(of_places.part(), 0.92);
     EXPECT_NEAR(lengths, 0.95, 0.03);
     EXPECT_NEAR(tensions, 0.95, 0.04);
     EXPECT_GE(of_factor.part(), 0.75);

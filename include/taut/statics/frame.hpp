@@ -19,7 +19,8 @@ struct FrameStiffness {
 };
 
 /// The net on this frame: its supports among those of the frame become elastic ones that pass
-/// forces on to each other. They stand where the frame balances the nominal form.
+/// forces on to each other. Springs that they have are replaced. They stand where the frame
+/// balances the nominal form.
 /// @throws std::invalid_argument for a node that is no support, comes twice or stands on a frame
 ///   already, and for a stiffness of another size, that is not finite or not symmetric
 /// @throws NetError for one that is not positive definite
