@@ -13,7 +13,7 @@ import numpy as np
 from page_block import show
 from simulation import Net
 
-CASES = [("hypar:5x5", "normal:2mm", "0.5mm", 50)]
+CASES = [("hypar:5x5", "normal:2mm", "0.5mm", 30)]
 # what is false: standard deviation of the common strain, what is given of it, and that of each cable besides
 FALSE = {
     "nothing": (3e-3, "creep:0.3%", 0),

@@ -134,7 +134,19 @@ def _put_on(like: Any, graph: Any) -> Any:
     place = result.vertex_attributes if is_mesh else result.node_attributes
     keys = {str(key): key for key in (result.vertices() if is_mesh else result.nodes())}
     of_edges = _given(
-        "q f l l0 EA is_slack is_adjustable is_strut sag_weight run friction".split(),
+        [
+            "q",
+            "f",
+            "l",
+            "l0",
+            "EA",
+            "is_slack",
+            "is_adjustable",
+            "is_strut",
+            "sag_weight",
+            "run",
+            "friction",
+        ],
         [graph.edge_attributes(edge) for edge in graph.edges()],
     )
     of_nodes = _given(
