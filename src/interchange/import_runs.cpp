@@ -198,7 +198,7 @@ std::vector<CableRun> runs_of(const CableNet& net, const ImportedStructure& stru
     }
     std::vector<CableRun> runs;
     for (const auto& [name, edges] : edges_of) {
-        std::vector<std::vector<int>> paths = paths_of(net, edges);
+        const std::vector<std::vector<int>> paths = paths_of(net, edges);
         if (edges.size() > 1 && (paths.size() != 1 || paths[0].size() != edges.size())) {
             fail_at(structure, structure.edges[edges[0]],
                     fmt::format("is part of the run '{}', whose edges do not follow each other "
@@ -208,7 +208,7 @@ std::vector<CableRun> runs_of(const CableNet& net, const ImportedStructure& stru
         std::vector<int> everywhere(static_cast<size_t>(net.node_count()));  // on saddles, too
         std::iota(everywhere.begin(), everywhere.end(), 0);
         CableRun run{.name = name,
-                     .edges = edges.size() > 1 ? std::move(paths[0]) : edges,
+                     .edges = edges.size() > 1 ? paths[0] : edges,
                      .slides_at = std::move(everywhere)};
         const auto slides = [&structure, &run](int node) {
             const ImportedNode& at = structure.nodes[node];
