@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "adjustment/stroke_program.hpp"
 
@@ -84,9 +85,10 @@ StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const Strok
         improved_by_steps(responses, task, fixed_by_quarters(responses, task, free, step), step);
     // Steps may be so coarse that rounding all strokes is worse than turning nothing.
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(free.strokes.size());
-    StrokedState from_none =
-        improved_by_steps(responses, task, state_at(responses, task, none, &free), step);
-    return merit_of(task, from_none) < merit_of(task, by_rounding) ? from_none : by_rounding;
+    StrokedState from_none = state_at(responses, task, none, &free);
+    return merit_of(task, from_none) < merit_of(task, by_rounding)
+               ? improved_by_steps(responses, task, std::move(from_none), step)
+               : by_rounding;
 }
 
 }  // namespace taut
