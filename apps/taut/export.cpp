@@ -83,19 +83,19 @@ void warn_of_imbalance(Exported& exported) {
     }
 }
 
-/// No other format has tension laws.
-void warn_of_laws(const ExportOptions& options, Exported& exported) {
-    if (!exported.source.file.net.is_linear() && options.format != "net") {
+/// What other formats do not have.
+void warn_of_left_out(const ExportOptions& options, Exported& exported) {
+    const CableNet& net = exported.source.file.net;
+    if (!net.is_linear() && options.format != "net") {
         exported.warnings.emplace_back(
             "this format has no piecewise linear tension laws: EA of these edges is their tension "
             "over strain in this form");
     }
-    if (exported.source.file.net.sags() && options.format != "net") {
+    if (net.sags() && options.format != "net") {
         exported.warnings.emplace_back(
             "no other program knows cables that sag: their tensions are more than EA times the "
             "strain between their nodes");
     }
-    const CableNet& net = exported.source.file.net;
     if (options.format == "obj" && !(net.elastic_supports().empty() && net.data().runs.empty())) {
         exported.warnings.emplace_back(
             "obj has neither cable runs nor supports that give way: they are left out");
@@ -124,7 +124,7 @@ void warn_of_laws(const ExportOptions& options, Exported& exported) {
     const auto differs = [](const CableRun& run) {
         return std::ranges::any_of(run.ratios, [](double ratio) { return ratio != 1.0; });
     };
-    if (options.format != "net" && std::ranges::any_of(net.data().runs, differs)) {
+    if (options.format != "net" && std::ranges::any_of(data.runs, differs)) {
         exported.warnings.emplace_back(
             "the ratios of tensions at nodes where cables slide are left out: read back, the net "
             "slides to another form");
@@ -160,7 +160,7 @@ Exported exported_net(const ExportOptions& options) {
     it.balance = imbalance(net, net.unstressed_lengths(), net.nodes());
     it.slack = slack_edges(net, net.unstressed_lengths(), net.nodes());
     warn_of_imbalance(it);
-    warn_of_laws(options, it);
+    warn_of_left_out(options, it);
     return it;
 }
 

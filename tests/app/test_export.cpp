@@ -63,11 +63,11 @@ TEST_F(Export, SaysThatNoOtherFormatHasAFrame) {
     const CableNet framed = net("framed.json");
     EXPECT_EQ(framed.support_couplings().size(), 1U);
     EXPECT_THAT(read("framed.json"), HasSubstr("colour"));
-    const json told =
+    const json printed =
         json::parse(must_run({"frame", "net.json", "frame.csv", "-o", "b.json", "--json"}));
-    EXPECT_EQ(told["coupled_pairs"], 1);
-    EXPECT_EQ(told["supports"], (std::vector{rigid.supports()[0], rigid.supports()[1]}));
-    EXPECT_NEAR(told["stiffness"]["min"].get<double>(), 1e6, 1.0);
+    EXPECT_EQ(printed["coupled_pairs"], 1);
+    EXPECT_EQ(printed["supports"], (std::vector{rigid.supports()[0], rigid.supports()[1]}));
+    EXPECT_NEAR(printed["stiffness"]["min"].get<double>(), 1e6, 1.0);
     must_run({"export", "framed.json", "--to", "net", "-o", "again.json"});
     EXPECT_EQ(net("again.json").support_couplings().size(), 1U);
     const Outcome exported =

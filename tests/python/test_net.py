@@ -238,7 +238,7 @@ def test_supports_on_one_frame_pass_forces_on():
     with pytest.raises(ValueError, match="is no support"):
         net.on_frame(stiffness, supports=net.free_nodes[:3])
     with pytest.raises(taut.NetError, match="not positive definite"):
-        net.on_frame(stiffness - 1.2e6 * np.eye(9), supports=supports)
+        net.on_frame(stiffness - 0.5e6 * np.eye(9), supports=supports)
 
 
 def test_elastic_supports_are_free_nodes_that_give_way():

@@ -70,8 +70,9 @@ struct ImportedNet {
 /// gives unstressed lengths that agree with its forces, they are taken; else l_0 = l / (1 + strain
 /// at T), T/EA where edges are linear, with T = q l, or T = f.
 ///
-/// Cables that slide do so at all free nodes on their way. Struts are those of the attribute
-/// is_strut, else the edges in compression.
+/// Cables that slide do so at all free nodes on their way, or as runs and nodes of the file say.
+/// Struts are those of the attribute is_strut, else the edges in compression and those of type beam
+/// or strut. Supports with a stiffness are elastic; without a place they balance the given form.
 /// @throws InputError naming the node or edge: a cable in compression, a strain above 10 %, no
 ///   axial stiffness, a rule of CableNet that is broken, no cable that slides where they are asked
 ///   for
