@@ -12,7 +12,6 @@
 #include "run_record.hpp"
 #include "taut/adjustment/plan_turns.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/net/cable_runs.hpp"
 #include "taut/net/units.hpp"
 #include "taut/process_group.hpp"
 #include "taut/results/control_files.hpp"
@@ -66,7 +65,6 @@ void print_record(const ControlRecord& record, const ControlSettings& settings) 
 
 void run(const ControlCommand& command) {
     const CableNet net = read_net(command.net).net;
-    naming_file(command.net, [&] { refuse_sliding(net, "a trial of plans"); });
     const ControlSettings settings = settings_of(net, command);
     const std::filesystem::path directory(command.directory);
     if (process_group().is_first()) {

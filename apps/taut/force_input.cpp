@@ -28,7 +28,7 @@ const std::string uncertain_text =
     "What is uncertain besides the lengths, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
     "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, "
     "loads:5% (one factor), loads:20N (of each node), forces:1% (one of all load cells), mass:3% "
-    "(one factor), test-loads:2% (of --epoch), support-stiffness:10% (of elastic supports), "
+    "(one factor), test-loads:2% (of --epoch), support-stiffness:25% (of elastic supports), "
     "creep:0.01% (strain from one survey to the next, with --epoch), slip:50mm (at each node where "
     "a run slides); GROUP is a group of edges of the net. May be repeated";
 

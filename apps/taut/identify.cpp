@@ -27,7 +27,6 @@
 #include "taut/io/adjustment_csv.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/net/cable_runs.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "terminal.hpp"
@@ -140,9 +139,6 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
 
 void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
-    if (!options.epochs.empty()) {
-        naming_file(options.net, [&] { refuse_sliding(net, "a chain of surveys"); });
-    }
     IdentifyOptions settings = options.settings;
     if (!options.prior.empty()) {
         settings.prior = prior_for(net, options.prior, options.net);

@@ -10,7 +10,6 @@
 #include "taut/files/file.hpp"
 #include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/net/cable_runs.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/equilibrium_matrix.hpp"
 #include "taut/statics/form_sensitivity.hpp"
@@ -250,7 +249,6 @@ void run(const InspectOptions& options) {
     warn(options.net, inspection.warnings);
     std::optional<PredictedSurvey> precision;
     if (!options.survey.empty()) {
-        naming_file(options.net, [&] { refuse_sliding(net, "a prediction of a survey"); });
         precision = precision_of(net, inspection.equilibrium, options, prior,
                                  read_planned_forces(net, options), options.uncertain,
                                  options.suggestions, options, options.net, options.json);

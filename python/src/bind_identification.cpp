@@ -166,7 +166,7 @@ Args:
     slack: edges seen to carry none.
     uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'. Of what is not given taut
         assumes 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm',
-        'supports:1mm', where some are elastic 'support-stiffness:10%', of edges with a mass
+        'supports:1mm', where some are elastic 'support-stiffness:25%', of edges with a mass
         'mass:3%', of loads 'loads:5%', where forces are measured 'forces:1%', where runs slide
         'slip:100mm'. 'none': all that is not given is exact.
     draws: number of posterior samples, which give tensions their intervals; by default 200.

@@ -80,13 +80,15 @@ void update_length_sites(const PriorKnowledge& knowledge, const LinearisedFit& f
     }
 }
 
-/// Sites of the tensions of edges seen taut, in addition to force measurements.
+/// Sites of the tensions of edges seen taut, in addition to force measurements. Beside one whose
+/// error is shared, what a site says of the shared error is left out.
 class TautSites {
 public:
     TautSites(const PriorKnowledge& knowledge, const Observations& observations)
         : m_edges(knowledge.forces.taut),
           m_measured(observations.tension),
           m_measured_weights(observations.tension_weights),
+          m_measured_bias(observations.tension_bias),
           m_precision(Eigen::VectorXd::Zero(m_measured.size())),
           m_pull(m_precision) {}
 
@@ -116,6 +118,10 @@ public:
             if (observations.tension_weights(e) > 0.0) {
                 observations.tension(e) = (m_measured_weights(e) * m_measured(e) + m_pull(e)) /
                                           observations.tension_weights(e);
+                // What a site says is of the tension itself.
+                observations.tension_bias.row(e) =
+                    m_measured_weights(e) / observations.tension_weights(e) *
+                    m_measured_bias.row(e);
             }
         }
     }
@@ -124,6 +130,7 @@ private:
     const std::vector<int>& m_edges;
     Eigen::VectorXd m_measured;
     Eigen::VectorXd m_measured_weights;
+    Eigen::MatrixXd m_measured_bias;
     Eigen::VectorXd m_precision;  ///< of the sites, by edge [1/N2]
     Eigen::VectorXd m_pull;       ///< precision times mean [1/N]
 };

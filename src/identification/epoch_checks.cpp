@@ -12,7 +12,6 @@
 
 #include "identification/epoch_net.hpp"
 #include "taut/identification/force_units.hpp"
-#include "taut/net/cable_runs.hpp"
 
 namespace taut {
 namespace {
@@ -82,7 +81,6 @@ void check_changes_before(const CableNet& net, std::span<const Epoch> epochs, si
 
 void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
                   const IdentifyOptions& options) {
-    refuse_sliding(net, "a chain of surveys");
     check_options(net, epochs, options);
     for (size_t k = 0; k < epochs.size(); ++k) {
         const Survey& survey = epochs[k].survey;

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/stretch_lengths.hpp"
 #include "net/rounded_length.hpp"
+#include "net/sliding_nodes.hpp"
 #include "taut/estimation/diagnostics.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
 
@@ -51,7 +53,7 @@ void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
              .std = change.std,
              .reason = fmt::format("At the first survey adjustable edge {} differs by {} from the "
                                    "length given. taut used the length that the surveys show.",
-                                   net.edge_id(change.edge), change_text(change)),
+                                   edge_or_cable(net, change.edge), change_text(change)),
              .next = "Read the turnbuckle there."});
     }
 }
@@ -67,17 +69,25 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
         .std = change.std,
         .reason = fmt::format("{} the length of edge {} changed by {}. taut gave each survey a "
                               "length of its own for it.",
-                              between, net.edge_id(change.edge), change_text(change)),
+                              between, edge_or_cable(net, change.edge), change_text(change)),
         .next =
             "If it was turned, add it to the turns. Else check whether it slipped, was slack "
             "at one survey, or a support at it moved."};
-    const auto turned = std::ranges::find(epoch.turned, change.edge, &EdgeTurned::edge);
-    if (turned != epoch.turned.end()) {
+    const std::vector<int> stretch = stretch_of(net, change.edge);
+    std::vector<EdgeTurned> turned = epoch.turned;
+    std::erase_if(turned, [&](const EdgeTurned& one) {
+        return std::ranges::find(stretch, one.edge) == stretch.end();
+    });
+    if (!turned.empty()) {
+        double stroke = 0.0;
+        for (const EdgeTurned& one : turned) {
+            stroke += one.stroke;
+        }
         finding.reason = fmt::format(
             "{} edge {} is given as turned by {:+.2f} mm, but its length changed by {:+.2f} +- "
             "{:.2f} mm. taut gave each survey a length of its own for it.",
-            between, net.edge_id(change.edge), 1e3 * turned->stroke,
-            1e3 * (turned->stroke + change.change), 1e3 * change.std);
+            between, edge_or_cable(net, change.edge), 1e3 * stroke, 1e3 * (stroke + change.change),
+            1e3 * change.std);
         finding.next = "Check whether it was turned as given, and which way.";
     }
     return finding;

@@ -349,8 +349,10 @@ Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
 Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                const IdentifyOptions& options, const Progress& progress) {
     if (!options.assume_site) {
+        IdentifyOptions with_sliding = options;
+        with_sliding.uncertain = with_slips(net, options.uncertain);
         return identify_all(
-            net, epochs, options,
+            net, epochs, with_sliding,
             [&](Identification& result) { name_given_widths(result, options.uncertain); },
             progress);
     }

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "net/sliding_nodes.hpp"
 #include "platform/platform.hpp"
 #include "taut/identification/force_units.hpp"
 #include "taut/identification/model.hpp"
@@ -112,21 +113,19 @@ void check_covariance_of(const CableNet& net, const std::vector<int>& edges) {
     }
 }
 
-/// Of a stretch that slides the tension is a parameter, which no measurement of one edge tests.
+}  // namespace
+
 void check_forces_on_runs(const CableNet& net, const Forces& forces) {
+    const std::vector<bool> slides = edges_that_slide(net);
     for (const ForceMeasurement& one : forces.measurements) {
-        for (const SlidingNode& at : net.sliding_nodes()) {
-            if (one.edge == at.before || one.edge == at.after) {
-                throw std::invalid_argument(
-                    fmt::format("the force measurement of edge '{}', which slides, cannot be used "
-                                "yet: measure an edge that is clamped at both ends",
-                                net.edge_id(one.edge)));
-            }
+        if (slides[one.edge]) {
+            throw std::invalid_argument(
+                fmt::format("the force measurement of edge '{}', which slides, cannot be used "
+                            "yet: measure an edge that is clamped at both ends",
+                            net.edge_id(one.edge)));
         }
     }
 }
-
-}  // namespace
 
 std::string_view to_string(IdentificationMethod method) {
     switch (method) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "identification/parameter_estimates.hpp"
+#include "identification/stretch_lengths.hpp"
 #include "net/rounded_length.hpp"
 #include "taut/net/units.hpp"
 
@@ -79,16 +80,7 @@ const LengthOutlier* other_of(const CheckedResult& of, const LengthOutlier& edge
 std::string length_text(const CheckedResult& of, const LengthOutlier& edge) {
     const auto found = std::ranges::find(of.result.edges, edge.edge, &IdentifiedEdge::edge);
     const bool is_slack = found != of.result.edges.end() && found->status == EdgeStatus::slack;
-    const auto stretch = std::ranges::find_if(of.result.stretches, [&](const StretchLength& one) {
-        return std::ranges::find(one.edges, edge.edge) != one.edges.end();
-    });
-    const std::string name =
-        stretch == of.result.stretches.end()
-            ? of.net.edge_id(edge.edge)
-            : fmt::format("{} or another of the cable that slides from {} to {}",
-                          of.net.edge_id(edge.edge), of.net.edge_id(stretch->edges.front()),
-                          of.net.edge_id(stretch->edges.back()));
-    return fmt::format("{} is {}{}", name, is_slack ? "slack and " : "",
+    return fmt::format("{} is {}{}", edge_or_cable(of.net, edge.edge), is_slack ? "slack and " : "",
                        longer_text(edge.deviation, edge.std, is_slack ? "at least " : ""));
 }
 

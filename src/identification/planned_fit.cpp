@@ -7,9 +7,10 @@
 
 #include "estimation/length_trend.hpp"
 #include "estimation/observations.hpp"
+#include "identification/identify_options.hpp"
 #include "identification/parameter_estimates.hpp"
+#include "identification/stretch_lengths.hpp"
 #include "numerics/dense.hpp"
-#include "taut/net/cable_runs.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -28,17 +29,18 @@ StaticsModel designed_model(const CableNet& fit_net, const Points& form,
 
 PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& survey,
                        const LengthPrior& prior, const Forces& forces,
-                       const std::vector<UncertainParameter>& uncertain)
+                       const std::vector<UncertainParameter>& given)
     : m_net(net), m_prior(prior) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
             "the net has no interior edge: all unstressed lengths are known");
     }
     prior.check();
-    refuse_sliding(net, "a prediction of a survey");
     check_survey(net, survey);
     check_forces(net, forces);
-    check_for_one_survey(net, uncertain);
+    check_forces_on_runs(net, forces);
+    check_for_one_survey(net, given);
+    const std::vector<UncertainParameter> uncertain = with_slips(net, given);
     if (survey.is_exact()) {
         require_whole(net, survey, "all, or their noise (standard deviations)");
     }
@@ -60,6 +62,10 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
     }
     m_fit = linearised_fit(model, std::move(design), m_observations);
     m_tensions = m_fit->model().tensions(m_fit->iterate);
+}
+
+Eigen::VectorXd PlannedFit::variances_between_nodes(const std::vector<int>& stretch) const {
+    return covariance_between_nodes(*m_fit, m_observations, stretch).diagonal();
 }
 
 Eigen::MatrixXd PlannedFit::joint_covariance(bool with_trend) const {

@@ -22,13 +22,14 @@ public:
     /// @param form equilibrium of the nominal lengths (3 x n) [m]
     /// @param survey which nodes, and their noise; its form is not used
     /// @param forces edges whose tensions are measured, and their noise
+    /// @param given what is uncertain, to which with_slips() adds
     /// @throws std::invalid_argument for arguments of other nets, a bad prior, and where the net
     ///   has no interior edge
     /// @throws SurveyError as check_survey(), and where the survey is exact and not whole
     /// @throws NumericalError where the statics are singular at this form
     PlannedFit(const CableNet& net, const Points& form, const Survey& survey,
                const LengthPrior& prior, const Forces& forces,
-               const std::vector<UncertainParameter>& uncertain);
+               const std::vector<UncertainParameter>& given);
     PlannedFit(const PlannedFit&) = delete;
     PlannedFit& operator=(const PlannedFit&) = delete;
 
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] const Linearisation& linearisation() const { return m_fit->linearisation; }
     [[nodiscard]] const StaticsModel& model() const { return m_fit->model(); }
     [[nodiscard]] const Covariance& covariance() const { return m_fit->covariance; }
+    /// Of the lengths between their nodes of the edges of a stretch that slides [m2].
+    [[nodiscard]] Eigen::VectorXd variances_between_nodes(const std::vector<int>& stretch) const;
     /// Of all unknowns, as Linearisation::joint_covariance().
     /// @param with_trend with what lengths have in common, (length-trend), as identify() has it
     ///   unless its prior is exact

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "identification/planned_fit.hpp"
+#include "net/sliding_nodes.hpp"
 #include "taut/estimation/length_posterior.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -52,6 +53,14 @@ Eigen::VectorXd length_variances(const PlannedFit& planned, const LengthPrior& p
         const double own = of_prior / (of_prior + blur(i));
         result(k) = found(i) > 0.0 ? own * blur(i) + own * own * found(i) : of_prior;
     }
+    for (const std::vector<int>& stretch : sliding_stretches(net)) {
+        const Eigen::VectorXd variances = planned.variances_between_nodes(stretch);
+        for (Eigen::Index k = 0; k < variances.size(); ++k) {
+            if (const int i = net.interior_index(stretch[static_cast<size_t>(k)]); i >= 0) {
+                result(i) = variances(k);
+            }
+        }
+    }
     return result;
 }
 
@@ -62,12 +71,13 @@ void add_tensions(const PlannedFit& planned, double relative_force_std,
     const Eigen::VectorXd weights = mean_weights(net);
     const Eigen::VectorXd with_mean = planned.linearisation().covariances_with(weights);
     const double of_mean = weights.dot(with_mean);
+    const std::vector<bool> slides = edges_that_slide(net);
     result.mean_tension = weights.dot(planned.tensions());
     result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
     for (int e = 0; e < net.edge_count(); ++e) {
         const double tension = planned.tensions()(e);
         if (planned.is_measured(e) || !(tension > 0.0 || net.is_strut(e)) ||
-            !(variances(e) > 0.0)) {
+            !(variances(e) > 0.0) || slides[e]) {
             continue;
         }
         const double noise = relative_force_std * std::abs(tension);
@@ -104,15 +114,19 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
     const PlannedFit planned(net, form, survey, prior, forces, uncertain);
     const Eigen::VectorXd variances = length_variances(planned, prior);
     const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
+    const double slip_std = planned.model().common.slip_std();
+    const std::vector<bool> slides = edges_that_slide(net);
     PredictedPrecision result{.prior_std = prior.std(), .edges = {}};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const double std = std::sqrt(variances(i));
         const bool is_slack = std::ranges::binary_search(slack, edge);
-        result.edges.push_back(
-            {.edge = edge,
-             .std = std,
-             .status = is_slack ? EdgeStatus::slack : probable_status(prior, std)});
+        result.edges.push_back({.edge = edge,
+                                .std = std,
+                                .status = is_slack ? EdgeStatus::slack
+                                          : slides[edge]
+                                              ? status_of(std::hypot(prior.std(), slip_std), std)
+                                              : probable_status(prior, std)});
     }
     add_tensions(planned, relative_force_std, result);
     return result;

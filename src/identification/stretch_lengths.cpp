@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "identification/stretch_lengths.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "net/sliding_nodes.hpp"
 #include "taut/estimation/edge_status.hpp"
 
 namespace taut {
@@ -90,6 +93,14 @@ void set_stretch_means(Identification& result, const CableNet& net) {
         stretch.length_deviation = deviations(stretch.edges).sum();
         stretch.tension = result.tensions.size() > 0 ? result.tensions(stretch.edges).mean() : 0.0;
     }
+}
+
+std::string edge_or_cable(const CableNet& net, int edge) {
+    const std::vector<int> stretch = stretch_of(net, edge);
+    return stretch.size() == 1 ? net.edge_id(edge)
+                               : fmt::format("{} or another of the cable that slides from {} to {}",
+                                             net.edge_id(edge), net.edge_id(stretch.front()),
+                                             net.edge_id(stretch.back()));
 }
 
 double std_before(const Identification& result, int edge, double prior_std) {

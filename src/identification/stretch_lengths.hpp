@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "estimation/linearisation.hpp"
@@ -29,6 +30,10 @@ void take_up_slips(Identification& result, const CableNet& net, const PriorKnowl
 
 /// Sets deviations and tensions of the stretches by those of their edges.
 void set_stretch_means(Identification& result, const CableNet& net);
+
+/// "12", or where it slides "12 or another of the cable that slides from 10 to 14": an error of
+/// such a cable's length is that of no single edge.
+[[nodiscard]] std::string edge_or_cable(const CableNet& net, int edge);
 
 /// Standard deviation of an edge's length between its nodes before the survey [m].
 /// @param prior_std of its length as marked [m]

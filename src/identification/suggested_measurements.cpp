@@ -13,6 +13,7 @@
 
 #include "identification/load_response.hpp"
 #include "identification/planned_fit.hpp"
+#include "net/sliding_nodes.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/parallel.hpp"
 #include "taut/statics/tensions.hpp"
@@ -128,7 +129,13 @@ public:
             left_out.emplace_back("frequencies and sags: the net has no mass (mass [kg/m])");
         }
         add_targets();
-        add_loads();
+        if (net().sliding_nodes().empty()) {
+            add_loads();
+        } else {
+            left_out.emplace_back(
+                "forces, frequencies and sags of edges that slide, and loads, "
+                "under which cables slide on: taut cannot predict them");
+        }
     }
 
     std::vector<Candidate> all;
@@ -140,8 +147,10 @@ private:
 
     template <typename Add>
     void for_taut_cables(const Add& add) {
+        const std::vector<bool> slides = edges_that_slide(net());
         for (int e = 0; e < net().edge_count(); ++e) {
-            if (m_planned.tensions()(e) > 0.0 && !m_planned.is_measured(e) && !net().is_strut(e)) {
+            if (m_planned.tensions()(e) > 0.0 && !m_planned.is_measured(e) && !net().is_strut(e) &&
+                !slides[e]) {
                 add(e, m_planned.tensions()(e));
             }
         }

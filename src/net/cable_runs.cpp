@@ -88,6 +88,23 @@ std::vector<std::vector<int>> sliding_stretches(const CableNet& net) {
     return result;
 }
 
+std::vector<int> stretch_of(const CableNet& net, int edge) {
+    for (std::vector<int>& edges : sliding_stretches(net)) {
+        if (std::ranges::find(edges, edge) != edges.end()) {
+            return std::move(edges);
+        }
+    }
+    return {edge};
+}
+
+std::vector<bool> edges_that_slide(const CableNet& net) {
+    std::vector<bool> result(static_cast<size_t>(net.edge_count()), false);
+    for (const SlidingNode& at : net.sliding_nodes()) {
+        result[at.before] = result[at.after] = true;
+    }
+    return result;
+}
+
 CableNet clamped(const CableNet& net) {
     if (net.sliding_nodes().empty()) {
         return net;
@@ -104,10 +121,11 @@ void refuse_sliding(const CableNet& net, std::string_view what) {
     const std::vector<CableRun>& runs = net.data().runs;
     for (int k = 0; k < std::ssize(runs); ++k) {
         if (!runs[k].slides_at.empty()) {
-            throw NetError("runs", {k},
-                           fmt::format("slides at its nodes, and {} takes no account of that yet. "
-                                       "Without slides_at its edges are taken as clamped",
-                                       what));
+            throw NetError(
+                "runs", {k},
+                fmt::format("slides at its nodes, and {} takes every edge as clamped. "
+                            "Leave out slides_at for that, or identify the net by the method map",
+                            what));
         }
     }
 }

@@ -15,6 +15,12 @@ namespace taut {
 /// Edges of each stretch of cable that slides, from one clamp to the next, edge by edge.
 [[nodiscard]] std::vector<std::vector<int>> sliding_stretches(const CableNet& net);
 
+/// The edges of the stretch that an edge slides in; the edge alone where it does not.
+[[nodiscard]] std::vector<int> stretch_of(const CableNet& net, int edge);
+
+/// Whether each edge is one of a stretch (m).
+[[nodiscard]] std::vector<bool> edges_that_slide(const CableNet& net);
+
 /// The same net, with its runs clamped where they are.
 [[nodiscard]] CableNet clamped(const CableNet& net);
 

@@ -282,7 +282,7 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     constexpr double of_loads = 0.05;
     constexpr double of_mass = 0.03;
     constexpr double of_test_loads = 0.02;
-    constexpr double of_supports = 0.1;
+    constexpr double of_supports = 0.25;
     const std::vector<UncertainParameter> before = given;
     const auto assume = [&](Kind kind, double std) {
         const auto is_same = [kind](const UncertainParameter& one) {

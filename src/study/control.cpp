@@ -15,7 +15,6 @@
 #include "numerics/random_numbers.hpp"
 #include "shared_work.hpp"
 #include "taut/identification/identify.hpp"
-#include "taut/net/cable_runs.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/sampling/model_perturbation.hpp"
@@ -30,7 +29,6 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
                                 ControlStrategy::nominal, ControlStrategy::once};
 
 void check_control(const CableNet& net, const ControlSettings& settings) {
-    refuse_sliding(net, "a trial of plans");
     check_prior(net, settings.prior);
     check_for_one_survey(net, settings.uncertain);
     const auto require = [](bool holds, const char* field, double value, const char* rule) {
@@ -65,6 +63,7 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
     check_limits(net, net.adjustable_edges(), limits_of_stroke(net, count, settings.stroke));
 }
 
+/// The net with these lengths in equilibrium, its runs after sliding.
 CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const Points& start) {
     CableNetData data = with_weight_as_load(net);
     const Equilibrium equilibrium = EquilibriumSolver(net).solve(lengths, start);
@@ -76,32 +75,48 @@ CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const
     return CableNet(std::move(data));
 }
 
+/// The net as it is built in a trial: lengths, all else that is uncertain, and friction.
+CableNet built_in_trial(const CableNet& net, const ControlSettings& settings, int trial) {
+    const auto stream = static_cast<std::uint64_t>(trial);
+    Eigen::VectorXd lengths = with_length_deviations(
+        net,
+        draw_length_deviations(settings.prior, settings.seed, stream, net.interior_edge_count()));
+    CableNetData data = net.data();
+    if (!settings.uncertain.empty()) {
+        data = net_under(net, draw_perturbation(net, settings.uncertain, settings.seed, stream),
+                         lengths)
+                   .data();
+        lengths = data.unstressed_lengths;
+    }
+    constexpr std::uint32_t of_friction = 2;
+    RandomNumbers random(settings.seed + stream, of_friction);
+    for (CableRun& run : data.runs) {
+        run.friction = run.friction.value_or(
+            random.uniform() * (CableRun::likely_friction + CableRun::uncertain_friction));
+    }
+    return with_lengths(CableNet(std::move(data)), lengths, net.nodes());
+}
+
 /// One trial under one strategy.
 class Job {
 public:
     Job(const CableNet& net, const ControlSettings& settings, const FormTarget& target, int trial)
-        : m_net(net), m_settings(settings), m_target(target), m_trial(trial) {
-        const Eigen::VectorXd deviations =
-            draw_length_deviations(settings.prior, settings.seed, static_cast<std::uint64_t>(trial),
-                                   net.interior_edge_count());
-        m_true_lengths = with_length_deviations(net, deviations);
-        if (!settings.uncertain.empty()) {
-            m_perturbation = draw_perturbation(net, settings.uncertain, settings.seed,
-                                               static_cast<std::uint64_t>(trial));
-        }
-        m_planned_strokes =
-            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
-        m_form = true_net(net.nodes()).nodes();
-    }
+        : m_net(net),
+          m_settings(settings),
+          m_target(target),
+          m_trial(trial),
+          m_true(built_in_trial(net, settings, trial)),
+          m_planned_strokes(
+              Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()))) {}
 
     [[nodiscard]] ControlState state(int round, double turned, bool has_failed) const {
         ControlState state{.trial = m_trial,
                            .round = round,
-                           .deviation = deviation_from(m_target, m_net, m_form),
+                           .deviation = deviation_from(m_target, m_net, m_true.nodes()),
                            .turned = turned,
                            .has_failed = has_failed};
-        const CableNet built = true_net(m_form);
-        const Eigen::VectorXd tension = tensions(built, built.unstressed_lengths(), m_form);
+        const Eigen::VectorXd tension =
+            tensions(m_true, m_true.unstressed_lengths(), m_true.nodes());
         state.least_tension = tension.minCoeff();
         state.most_tension = tension.maxCoeff();
         // A plan may lead right up to a limit, and forms are as exact as their equilibrium.
@@ -156,15 +171,6 @@ private:
                static_cast<std::uint64_t>(round);
     }
 
-    /// The net as it was built and turned, in equilibrium.
-    [[nodiscard]] CableNet true_net(const Points& start) const {
-        if (!m_perturbation) {
-            return with_lengths(m_net, m_true_lengths, start);
-        }
-        const CableNet built = net_under(m_net, *m_perturbation, m_true_lengths);
-        return with_lengths(built, built.unstressed_lengths(), start);
-    }
-
     /// The design with the planned strokes so far.
     [[nodiscard]] CableNet planned_net() const {
         Eigen::VectorXd lengths = m_net.unstressed_lengths();
@@ -173,7 +179,7 @@ private:
     }
 
     [[nodiscard]] Survey survey(const CableNet& planned, int round) const {
-        return match_to_nodes(planned, simulate_survey(planned, m_form,
+        return match_to_nodes(planned, simulate_survey(planned, m_true.nodes(),
                                                        {.noise_std = m_settings.noise_std,
                                                         .dropped_part = m_settings.hidden_part,
                                                         .seed = seed_of(round)}));
@@ -202,7 +208,7 @@ private:
                             .turn = m_settings.turn,
                             .seed = seed_of(round)};
         if (strategy == ControlStrategy::truth) {
-            const BuiltNet built{.net = true_net(m_form),
+            const BuiltNet built{.net = m_true,
                                  .length_draws = {},
                                  .perturbations = {},
                                  .no_draws_because = "the net is known"};
@@ -247,16 +253,16 @@ private:
 
     double turn(const Plan& plan, int round) {
         RandomNumbers errors(seed_of(round), 1);
+        Eigen::VectorXd lengths = m_true.unstressed_lengths();
         double sum = 0.0;
         for (const PlannedStroke& stroke : plan.strokes) {
             const auto& edges = m_net.adjustable_edges();
             const auto k = std::ranges::lower_bound(edges, stroke.edge) - edges.begin();
             m_planned_strokes(k) += stroke.stroke;
-            m_true_lengths(stroke.edge) +=
-                stroke.stroke + m_settings.actuator_std * errors.normal();
+            lengths(stroke.edge) += stroke.stroke + m_settings.actuator_std * errors.normal();
             sum += std::abs(stroke.stroke);
         }
-        m_form = true_net(m_form).nodes();
+        m_true = with_lengths(m_true, lengths, m_true.nodes());
         return sum;
     }
 
@@ -264,11 +270,8 @@ private:
     const ControlSettings& m_settings;
     const FormTarget& m_target;
     int m_trial;
-    /// How the true net differs from the design besides lengths; empty: in nothing.
-    std::optional<ModelPerturbation> m_perturbation;
-    Eigen::VectorXd m_true_lengths;     ///< before the perturbation [m]
+    CableNet m_true;                    ///< as built and turned, in equilibrium
     Eigen::VectorXd m_planned_strokes;  ///< of the adjustable edges, in all [m]
-    Points m_form;                      ///< the true one
 };
 
 }  // namespace

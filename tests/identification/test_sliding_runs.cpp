@@ -7,10 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
+#include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
+#include "taut/identification/predicted_precision.hpp"
 
 namespace taut {
 namespace {
@@ -138,6 +141,108 @@ TEST(SlidingRuns, SlipsAreThoseOfTheNetAsBuilt) {
     EXPECT_EQ(count, std::ssize(net.sliding_nodes()));
     // The form follows from lengths and slips.
     EXPECT_LT((found.predicted.form - s.truth.form).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+/// A net surveyed, turned at some turnbuckles, where its runs slide on from where they stood, and
+/// surveyed again.
+struct TurnedRuns {
+    std::vector<Epoch> epochs;
+    Equilibrium truth;  ///< at the last survey
+};
+
+/// @param built the net with its true friction
+/// @param done by how much of what is given an edge was turned (m)
+TurnedRuns turned_runs(const CableNet& built, std::uint64_t seed, const Eigen::VectorXd& done) {
+    constexpr double noise = 0.5e-3;
+    const test::SimulatedSurvey first =
+        test::simulate(built, {LengthPrior::Kind::normal, 2e-3}, noise, seed);
+    TurnedRuns result{.epochs = {{.survey = first.survey, .turned = {}}}, .truth = first.truth};
+    std::mt19937_64 random(seed);
+    std::vector<EdgeTurned> turned;
+    Eigen::VectorXd lengths = first.truth.unstressed_lengths;
+    for (const int edge : built.adjustable_edges()) {
+        const double stroke = std::uniform_real_distribution<double>(-8e-3, 8e-3)(random);
+        turned.push_back({.edge = edge, .stroke = stroke, .std = 0.0});
+        lengths(edge) += done(edge) * stroke;
+    }
+    result.truth = EquilibriumSolver(built).solve(lengths, first.truth.form);
+    EXPECT_TRUE(result.truth.balanced());
+    test::SimulatedSurvey second = first;
+    second.truth = result.truth;
+    result.epochs.push_back({.survey = test::surveyed_again(built, second, noise, seed + 1000),
+                             .turned = std::move(turned)});
+    return result;
+}
+
+TEST(SlidingRuns, SurveysBeforeAndAfterTurnsAreOfOneCable) {
+    CableNetData data = sliding_ridge().data();
+    data.runs.at(0).friction.reset();
+    const CableNet net(std::move(data));
+    const IdentifyOptions options{.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3},
+                                  .prior_exact = true};
+    constexpr int chains = 20;
+    double edges = 0.0;
+    double tensions_off = 0.0;
+    double stretches = 0.0;
+    double alone = 0.0;
+    double both = 0.0;
+    int passed = 0;
+    for (int seed = 0; seed < chains; ++seed) {
+        const CableNet built = ridge(0.1 * (seed + 0.5) / chains);
+        const TurnedRuns of = turned_runs(built, seed, Eigen::VectorXd::Ones(net.edge_count()));
+        const Identification found = identify_epochs(net, of.epochs, options);
+        ASSERT_EQ(found.status, IdentificationStatus::converged);
+        passed += found.trust.verdict() == Trust::Verdict::passed ? 1 : 0;
+        const Eigen::VectorXd off = of.truth.unstressed_lengths - net.unstressed_lengths();
+        for (const IdentifiedEdge& edge : found.edges) {
+            edges += std::pow((edge.length_deviation - off(edge.edge)) / edge.std, 2) /
+                     static_cast<double>(found.edges.size() * chains);
+        }
+        const StretchLength& stretch = found.stretches.at(0);
+        const double sum = of.truth.unstressed_lengths(stretch.edges).sum();
+        stretches +=
+            std::pow((stretch.nominal + stretch.length_deviation - sum) / stretch.std, 2) / chains;
+        const Eigen::VectorXd tension = tensions(built, of.truth.unstressed_lengths, of.truth.form);
+        tensions_off +=
+            std::pow((stretch.tension - tension(stretch.edges).mean()) / stretch.tension_std, 2) /
+            chains;
+        alone += identify(net, of.epochs[0].survey, options).stretches.at(0).std / chains;
+        both += stretch.std / chains;
+    }
+    EXPECT_NEAR(std::sqrt(edges), 1.0, 0.1);
+    EXPECT_NEAR(std::sqrt(stretches), 1.0, 0.4);
+    EXPECT_NEAR(std::sqrt(tensions_off), 1.0, 0.4);
+    EXPECT_LT(both, 0.85 * alone);
+    EXPECT_GE(passed, chains - 2);
+}
+
+TEST(SlidingRuns, ArePredictedBeforeASurvey) {
+    const CableNet net = ridge(0.1);
+    const LengthPrior prior{LengthPrior::Kind::normal, 2e-3};
+    const test::SimulatedSurvey s = test::simulate(net, prior, 0.5e-3, 2);
+    const Identification found = identify(net, s.survey, {.prior = prior, .prior_exact = true});
+    const PredictedPrecision predicted = predicted_precision(net, net.nodes(), s.survey, prior);
+    ASSERT_EQ(predicted.edges.size(), found.edges.size());
+    for (size_t i = 0; i < found.edges.size(); ++i) {
+        EXPECT_NEAR(predicted.edges[i].std / found.edges[i].std, 1.0, 0.25);
+    }
+    for (const TensionPrecision& one : predicted.force_candidates) {
+        EXPECT_GT(one.edge, net.data().runs.at(0).edges.back());
+    }
+}
+
+TEST(SlidingRuns, ATurnThatWasNotMadeIsNamedWithItsCable) {
+    const CableNet net = ridge(0.1);
+    Eigen::VectorXd done = Eigen::VectorXd::Ones(net.edge_count());
+    const int end = net.data().runs.at(0).edges.back();
+    done(end) = -4.0;
+    const Identification found =
+        identify_epochs(net, turned_runs(net, 1, done).epochs,
+                        {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}});
+    ASSERT_EQ(found.trust.verdict(), Trust::Verdict::doubtful);
+    EXPECT_THAT(found.trust.findings.at(0).reason,
+                testing::HasSubstr("or another of the cable that slides from 0 to 7 is given as "
+                                   "turned by"));
 }
 
 TEST(SlidingRuns, WhatTakesEdgesAsClampedIsRefused) {

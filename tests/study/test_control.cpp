@@ -77,6 +77,21 @@ TEST(Control, BuildsNetsWithWhatIsUncertain) {
     EXPECT_LT(built.after(1).normal_rmse, built.after(0).normal_rmse);
 }
 
+/// Friction that is not given differs from net to net, and each slides on from where it stands.
+TEST(Control, TurnsCablesThatSlide) {
+    CableNetData data = sliding_ridge().data();
+    data.runs.at(0).friction.reset();
+    const CableNet net(std::move(data));
+    ControlSettings settings = small_job();
+    settings.prior.scale = 4e-3;
+    const std::vector<ControlRecord> records = simulate_control(net, settings);
+    for (const ControlRecord& record : records) {
+        EXPECT_EQ(record.after(2).failed, 0);
+    }
+    EXPECT_LT(records[1].after(2).normal_rmse, 0.6 * records[1].after(0).normal_rmse);
+    EXPECT_LT(records[1].after(2).normal_rmse, 1.3 * records[0].after(2).normal_rmse);
+}
+
 /// What weighs keeps its mass, which is uncertain, when edges are turned.
 TEST(Control, PlansOnIdentifiedLengthsOfNetsWithMasses) {
     CableNetData data = hypar(4, 4).data();

@@ -81,7 +81,7 @@ struct KnownForces {
 
 /// Adds the default assumptions for a site: stiffness 5 % in common and 2 % of each edge; 5 K where
 /// edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm. Lengths and places at
-/// most a tenth of the shortest edge concerned. Stiffness of elastic supports 10 %. Loads 5 % in
+/// most a tenth of the shortest edge concerned. Stiffness of elastic supports 25 %. Loads 5 % in
 /// common, where there are any. The mass, and with it the self-weight, 3 % where edges have one. Of
 /// forces, where measured: 1 % in common of load cells; of known loads that hung on the net at one
 /// survey, 2 %. with_slips().
