@@ -69,7 +69,8 @@ std::string width_text(const UncertainParameter& parameter) {
 /// @param text for the message
 /// @throws std::invalid_argument for a width that is not positive, or too large
 void check_width(const UncertainParameter& parameter, std::string_view text) {
-    constexpr double widest_part = 0.3;
+    // Of a frame hardly more may be known than the order of magnitude.
+    const double widest_part = parameter.kind == Kind::support_stiffness ? 0.7 : 0.3;
     if (!(parameter.std > 0.0) || !std::isfinite(parameter.std)) {
         throw std::invalid_argument(
             fmt::format("the uncertain parameter '{}' has no positive width, expected {}", text,
@@ -77,7 +78,8 @@ void check_width(const UncertainParameter& parameter, std::string_view text) {
     }
     if (parameter.unit() == "1" && parameter.std >= widest_part) {
         throw std::invalid_argument(fmt::format(
-            "the uncertain parameter '{}' has a width of 30 % or more, expected less", text));
+            "the uncertain parameter '{}' has a width of {:g} % or more, expected less", text,
+            1e2 * widest_part));
     }
 }
 

@@ -46,6 +46,7 @@ TEST(UncertainParameter, IsRefusedWithWhatIsWrong) {
                                         {"stiffness:-5%", "positive"},
                                         {"stiffness:nan%", "percentage"},
                                         {"stiffness:30%", "width of 30 %"},
+                                        {"support-stiffness:70%", "width of 70 %"},
                                         {"stiffness:5%@", "no group"},
                                         {"temperature:10", "temperature"},
                                         {"supports:1mm@ridge", "takes no group"},

@@ -55,7 +55,8 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 /// "adjustable:0.5mm", "loads:20N", "loads:10%", "forces:1%", "mass:3%",
 /// "test-loads:1%", "support-stiffness:10%", "creep:0.01%@GROUP", "slip:50mm".
 /// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
-///   a relative one of 30 % or more, and a group where the kind has none
+///   a relative one of 30 % or more (of the stiffness of supports 70 %), and a group where the
+///   kind has none
 [[nodiscard]] TAUT_CORE_EXPORT UncertainParameter parse_uncertain_parameter(std::string_view text);
 
 /// Checks that these parameters can be uncertain of a net.
