@@ -44,7 +44,7 @@ wheel: app ## build the Python package's wheel, with all libraries in it, in bui
 	scripts/python.sh wheel
 
 examples: ## build and run the examples
-	scripts/install_dependencies.sh build
+	scripts/install_dependencies.sh build examples
 	test -f build/release/build.ninja || $(configure) --preset release -DTAUT_BUILD_TESTS=OFF
 	$(configure) --preset release -DTAUT_BUILD_EXAMPLES=ON
 	cmake --build --preset release --target taut_examples

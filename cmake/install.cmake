@@ -22,6 +22,14 @@ if(TAUT_HAS_CLARABEL AND NOT BUILD_SHARED_LIBS)
     install(FILES ${clarabel_c} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endif()
 install(FILES ${PROJECT_BINARY_DIR}/result.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut COMPONENT development)
+if(TAUT_BUILD_C)
+    install(TARGETS taut_c EXPORT taut-c
+        RUNTIME COMPONENT library
+        LIBRARY COMPONENT library NAMELINK_COMPONENT development
+        ARCHIVE COMPONENT development
+        FILE_SET HEADERS COMPONENT development)
+    install(EXPORT taut-c NAMESPACE taut:: DESTINATION ${TAUT_CMAKE_DIR} COMPONENT development)
+endif()
 if(TAUT_BUILD_APP)
     install(TARGETS taut_app COMPONENT program)
     # Of `make app`, where that has been called: taut app writes it.
@@ -66,7 +74,11 @@ endif()
 # From where the file lies, so that what is installed may be moved.
 file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 set(TAUT_PC_PREFIX "\${pcfiledir}/${to_prefix}")
-foreach(name taut taut-core)
+set(TAUT_PC_NAMES taut taut-core)
+if(TAUT_BUILD_C)
+    list(APPEND TAUT_PC_NAMES taut-c)
+endif()
+foreach(name ${TAUT_PC_NAMES})
     configure_file(cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
         COMPONENT development)

@@ -39,7 +39,15 @@ taut estimates how long each cable of a built net is, how tight and how sure tha
 is. This package holds what programs are built with: headers, libraries to
 link, and files for CMake and pkg-config.")
 
+# The library for C is shared whatever the others are.
+set(shared "")
 if(BUILD_SHARED_LIBS)
+    list(APPEND shared core adjustment io report)
+endif()
+if(TAUT_BUILD_C)
+    list(APPEND shared c)
+endif()
+if(shared)
     list(APPEND CPACK_COMPONENTS_ALL library)
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library_package})
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
@@ -50,7 +58,7 @@ is. This package holds the libraries that programs run with.")
     # For packages made on top of this one: what they link, and from which version on. CPack's own
     # would call ldconfig from a script; Debian's way is a trigger.
     set(shlibs "")
-    foreach(component core adjustment io report)
+    foreach(component ${shared})
         string(APPEND shlibs "libtaut_${component} ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} "
             "${library_package} (>= ${PROJECT_VERSION})\n")
     endforeach()
@@ -59,7 +67,8 @@ is. This package holds the libraries that programs run with.")
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
         ${PROJECT_BINARY_DIR}/debian/shlibs ${PROJECT_BINARY_DIR}/debian/triggers)
     string(PREPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} ${same_version}, ")
-else()
+endif()
+if(NOT BUILD_SHARED_LIBS)
     # A static library brings none of its own along.
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
         ", libfmt-dev, libhdf5-dev, libmetis-dev, libminizip-dev, libnlopt-dev, libopenblas-dev, libpugixml-dev, libtbb-dev, pkg-config")

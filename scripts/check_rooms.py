@@ -88,6 +88,18 @@ MAY_INCLUDE = {
         "io",
     ],
     "report": ["files", "results"],
+    "c": [
+        "net",
+        "statics",
+        "design",
+        "survey",
+        "sampling",
+        "identification",
+        "adjustment",
+        "files",
+        "io",
+        "results",
+    ],
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

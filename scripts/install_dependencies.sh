@@ -7,7 +7,7 @@
 # cargo builds the conic solver Clarabel: Debian's cargo-web, kept up to date for browsers, is recent
 # enough, its cargo is not. A cargo that is there, from rustup say, is left alone; where it is too old,
 # CMake says so and builds without the solver.
-# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|browsers|reference|ci]...
+# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|browsers|reference|examples|ci]...
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
@@ -24,6 +24,8 @@ fuzz=(clang-19 libclang-rt-19-dev llvm-19)
 # Of tests/hostile: calls of the system are made to fail.
 hostile=(python3-numpy strace)
 reference=(doxygen)
+# C#, which an example calls the library for C from.
+examples=(mono-mcs mono-runtime)
 # Of the rest pip takes care: pyproject.toml.
 python=(python3-dev python3-venv python3-pip)
 # Compilers that scripts/check_compilers.sh builds with.
@@ -82,13 +84,13 @@ packages=()
 groups=("${@:-build}")
 for group in "${groups[@]}"; do
     case "$group" in
-        build | test | python | bench | lint | fuzz | hostile | compilers | browsers | reference | ci)
+        build | test | python | bench | lint | fuzz | hostile | compilers | browsers | reference | examples | ci)
             declare -n members="$group"
             packages+=("${members[@]}")
             ;;
         *)
             echo "install_dependencies.sh: unknown group '$group'," \
-                "expected build, test, python, bench, lint, fuzz, hostile, compilers, browsers, reference or ci" >&2
+                "expected build, test, python, bench, lint, fuzz, hostile, compilers, browsers, reference, examples or ci" >&2
             exit 2
             ;;
     esac

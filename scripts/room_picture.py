@@ -19,11 +19,12 @@ LIBRARIES = {
     "adjustment": ("#fde3c8", "adjustment study"),
     "io": ("#dff0d8", "files interchange io results"),
     "report": ("#eadcf2", "report"),
+    "c": ("#f6dbe0", "c"),
 }
 # Where a room stands in its row, from the left.
 LANES = {
     "platform": 2, "numerics": 2, "gp": 0, "net": 2, "files": 4, "survey": 1, "statics": 2, "design": 3, "sampling": 2,
-    "interchange": 4, "estimation": 1, "identification": 0, "adjustment": 1, "io": 3, "study": 2, "results": 3, "report": 3,
+    "interchange": 4, "estimation": 1, "identification": 0, "adjustment": 1, "io": 3, "study": 2, "results": 3, "report": 3, "c": 2,
 }
 WIDTH, HEIGHT, STEP_X, STEP_Y, MARGIN = 116, 30, 138, 56, 12
 

@@ -96,7 +96,7 @@ class Taut(ConanFile):
         toolchain.cache_variables["TAUT_WITH_METIS"] = False
         toolchain.cache_variables["TAUT_WITH_XLSX"] = False
         toolchain.cache_variables["TAUT_WITH_CLARABEL"] = "ON" if self.options.with_conic else "OFF"
-        for part in ("APP", "BENCHMARKS", "EXAMPLES", "TESTS", "VIEWER"):
+        for part in ("APP", "BENCHMARKS", "C", "EXAMPLES", "TESTS", "VIEWER"):
             toolchain.cache_variables[f"TAUT_BUILD_{part}"] = False
         # CMake finds BLAS and LAPACK by modules of its own, which ask pkg-config for Conan's.
         toolchain.cache_variables["BLA_PREFER_PKGCONFIG"] = True

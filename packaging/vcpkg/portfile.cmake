@@ -19,6 +19,7 @@ vcpkg_cmake_configure(
         -DTAUT_WITH_XLSX=OFF
         -DTAUT_BUILD_APP=OFF
         -DTAUT_BUILD_BENCHMARKS=OFF
+        -DTAUT_BUILD_C=OFF
         -DTAUT_BUILD_EXAMPLES=OFF
         -DTAUT_BUILD_TESTS=OFF
         -DTAUT_BUILD_VIEWER=OFF)
