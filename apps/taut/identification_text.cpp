@@ -147,7 +147,11 @@ void print_epochs(const CableNet& net, const Identification& result) {
         }
         say("\n");
         for (const LengthChange& change : epoch.changes) {
-            say("  {:<12} changed by {:+.2f} +- {:.2f} mm\n", net.edge_id(change.edge),
+            const bool slides = std::ranges::any_of(result.stretches, [&](const auto& one) {
+                return std::ranges::find(one.edges, change.edge) != one.edges.end();
+            });
+            say("  {:<12} changed by {:+.2f} +- {:.2f} mm\n",
+                net.edge_id(change.edge) + (slides ? " or another of its cable" : ""),
                 1e3 * change.change, 1e3 * change.std);
         }
     }

@@ -15,6 +15,7 @@
 #include "adjustment/stroke_search.hpp"
 #include "adjustment/target_deviations.hpp"
 #include "adjustment/tension_targets.hpp"
+#include "net/sliding_nodes.hpp"
 #include "numerics/small_dense.hpp"
 #include "statics/arguments.hpp"
 
@@ -105,8 +106,14 @@ public:
             return columns - theirs * minimum_norm_solution(theirs, columns);
         };
         std::vector<int> others;
+        std::vector<int> turned = set.edges;  // with all that slides on when one of them is turned
+        for (const std::vector<int>& stretch : sliding_stretches(*m_net)) {
+            if (std::ranges::find_first_of(stretch, set.edges) != stretch.end()) {
+                turned.insert(turned.end(), stretch.begin(), stretch.end());
+            }
+        }
         for (int edge = 0; edge < m_net->edge_count(); ++edge) {
-            if (std::ranges::find(set.edges, edge) == set.edges.end()) {
+            if (std::ranges::find(turned, edge) == turned.end()) {
                 others.push_back(edge);
             }
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "identification/epoch_net.hpp"
@@ -62,7 +63,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
     Eigen::VectorXd stds = adjustable_stds(net, options.uncertain);
     for (size_t k = 0; k < epochs.size(); ++k) {
         m_states.push_back({.net = net_at_survey(net, epochs, k),
-                            .survey = &epochs[k].survey,
+                            .survey = epochs[k].survey,
                             .turned = &epochs[k].turned,
                             .loads = &epochs[k].loads,
                             .prior = first_prior(stds),
@@ -134,6 +135,16 @@ void EpochChain::allow(const std::vector<EpochChanges>& changes) {
                          is_adjustable(change.edge) ? std::min(width_of(change), m_widest_turn)
                                                     : width_of(change));
         }
+        for (const SlipOrTarget& either : changes[k].slips_or_targets) {
+            Survey& survey = m_states[k].survey;
+            if (std::erase(survey.surveyed, either.node) > 0) {
+                survey.missing.insert(std::ranges::upper_bound(survey.missing, either.node),
+                                      either.node);
+            }
+            for (const LengthChange& change : either.lengths) {
+                add_variance(k, change.edge, std::abs(change.change));
+            }
+        }
         if (changes[k].excess_actuator_std > 0.0) {
             for (const int edge : scattering_edges(k)) {
                 add_variance(k, edge, changes[k].excess_actuator_std);
@@ -180,7 +191,7 @@ void EpochChain::fit(size_t k, const Given& given, const Progress& progress) {
         throw Interrupted();
     }
     State& state = m_states[k];
-    IdentifiedEpoch epoch = identify_one_epoch(state.net, *state.survey, given, m_entries.common);
+    IdentifiedEpoch epoch = identify_one_epoch(state.net, state.survey, given, m_entries.common);
     state.found = std::move(epoch.identification);
     const auto is_creep = [](const ParameterEstimate& one) {
         return one.parameter.kind == UncertainParameter::Kind::creep;
@@ -229,6 +240,35 @@ void EpochChain::free_lengths(size_t k, const std::vector<LengthChange>& changed
     }
 }
 
+std::vector<SlipOrTarget> EpochChain::slips_or_targets(size_t k) const {
+    const State& state = m_states[k];
+    std::vector<SlipOrTarget> result;
+    const auto is_known = [&](int node) {
+        return std::ranges::find(result, node, &SlipOrTarget::node) != result.end();
+    };
+    for (const LengthOutlier& one : state.found.length_outliers) {
+        if (!one.is_beside_target || is_known(one.node)) {
+            continue;
+        }
+        const LengthChange change{.edge = one.edge,
+                                  .change = one.deviation,
+                                  .std = one.std,
+                                  .statistic = std::sqrt(one.statistic)};
+        LengthChange opposite = change;
+        opposite.edge = one.other;
+        opposite.change = -one.deviation;
+        result.push_back({.node = one.node, .lengths = {change, opposite}});
+    }
+    for (const Outlier& one : state.found.outliers) {
+        if (std::optional<SlipOrTarget> slip =
+                slip_to_target(state.net, state.survey, state.found.predicted.form, one);
+            slip && !is_known(one.node)) {
+            result.push_back(*std::move(slip));
+        }
+    }
+    return result;
+}
+
 bool EpochChain::find_changes(const Progress& progress) {
     for (int k = 0; k < count(); ++k) {
         fit(k, given_for_form_alone(k), progress);
@@ -246,11 +286,17 @@ bool EpochChain::find_changes(const Progress& progress) {
         State& state = m_states[k];
         progress("comparing surveys", static_cast<int>(k), count());
         const LengthEvidence until_before = sum_of(before.earlier, before.own);
+        std::vector<SlipOrTarget> either = slips_or_targets(k);
+        for (const SlipOrTarget& one : either) {
+            free_lengths(k, one.lengths);
+        }
         ComparedEpoch found = compared_epoch(
             EvidenceTest(state.prior, carried(until_before, step_from(k - 1)), state.own), m_net,
             m_entries, *state.turned, scattering_edges(k));
         free_lengths(k, found.let_go);
         m_changes[k] = std::move(found.changes);
+        take_out_slips(m_net, m_changes[k].lengths, either);
+        m_changes[k].slips_or_targets = std::move(either);
         // A change that was let go is not evidence for later surveys.
         state.earlier = carried(until_before, step_from(k - 1));
     }

@@ -49,13 +49,14 @@ public:
     [[nodiscard]] int reported() const { return m_reported; }
     /// The net at a survey, its fit, and all that the fit was given.
     [[nodiscard]] const CableNet& net_at(int k) const { return m_states[k].net; }
+    [[nodiscard]] const Survey& survey_at(int k) const { return m_states[k].survey; }
     [[nodiscard]] const Identification& found(int k) const { return m_states[k].found; }
     [[nodiscard]] Given given(int k) const;
 
 private:
     struct State {
         CableNet net;
-        const Survey* survey;
+        Survey survey;  ///< without targets beside which a clamp may have slipped
         const std::vector<EdgeTurned>* turned;  ///< since the survey before
         const Points* loads;                    ///< Epoch::loads
         Eigen::VectorXd prior;                  ///< prior variances of x
@@ -81,6 +82,8 @@ private:
     /// Edges whose turns before a survey may scatter more than given: those turned, or where none
     /// are given, all adjustable ones.
     [[nodiscard]] std::vector<int> scattering_edges(size_t k) const;
+    /// (epoch-slip) of a survey fitted by itself.
+    [[nodiscard]] std::vector<SlipOrTarget> slips_or_targets(size_t k) const;
     /// Lets lengths at a survey be free from now on.
     void free_lengths(size_t k, const std::vector<LengthChange>& changed);
 

@@ -64,11 +64,18 @@ bool are_explained_by_strokes(const std::vector<LengthChange>& let_go,
            is_chance_but_for(all_at_once.agreement, stroke_factor_statistic(all_at_once));
 }
 
-/// Whether a strain in common explains all.
-bool is_explained_by_strain(const EpochChanges& all_at_once) {
+/// Whether a strain in common explains all, and better than the change of one length: of a run that
+/// slides, both are a change of its sum.
+bool is_explained_by_strain(const EpochChanges& all_at_once,
+                            const std::vector<LengthChange>& let_go) {
+    constexpr double better = 1.05;
     const std::optional<EpochChanges::CommonStrain>& strain = all_at_once.common_strain;
-    return strain && !all_at_once.are_strokes_off() &&
-           is_chance_but_for(all_at_once.agreement, strain->strain / strain->std);
+    if (!strain || all_at_once.are_strokes_off()) {
+        return false;
+    }
+    const double statistic = std::abs(strain->strain) / strain->std;
+    return is_chance_but_for(all_at_once.agreement, statistic) &&
+           (let_go.empty() || statistic > better * let_go.front().statistic);
 }
 
 /// (creep) that was not given: the most significant strain of all interior edges, or of a group,
@@ -149,6 +156,63 @@ bool are_too_many_changes(const CableNet& net, size_t changes) {
     return static_cast<double>(changes) > std::max(a_few, most * net.edge_count());
 }
 
+std::optional<SlipOrTarget> slip_to_target(const CableNet& net, const Survey& survey,
+                                           const Points& form, const Outlier& target) {
+    constexpr double along = 0.87;       // cosine: 30 degrees
+    constexpr double straight = -0.866;  // 30 degrees
+    const int node = target.node;
+    const Eigen::Vector3d moved = survey.form.col(node) - form.col(node);
+    const auto direction = [&](int edge) -> Eigen::Vector3d {
+        const auto [s, t] = net.edges()[edge];
+        return (form.col(s == node ? t : s) - form.col(node)).normalized();
+    };
+    if (net.is_support(node) || !(moved.norm() > 0.0)) {
+        return std::nullopt;
+    }
+    for (const int towards : net.edges_at(node)) {
+        for (const int from : net.edges_at(node)) {
+            const Eigen::Vector3d d = direction(towards);
+            if (net.is_strut(towards) || net.is_strut(from) ||
+                d.dot(moved) < along * moved.norm() || d.dot(direction(from)) > straight) {
+                continue;
+            }
+            const LengthChange shorter{.edge = towards,
+                                       .change = -d.dot(moved),
+                                       .std = survey.noise_std.col(node).norm(),
+                                       .statistic = std::sqrt(target.statistic)};
+            LengthChange longer = shorter;
+            longer.edge = from;
+            longer.change = d.dot(moved);
+            return SlipOrTarget{.node = node, .lengths = {shorter, longer}};
+        }
+    }
+    return std::nullopt;
+}
+
+void take_out_slips(const CableNet& net, std::vector<LengthChange>& changes,
+                    std::vector<SlipOrTarget>& found) {
+    constexpr double nearly = 3.0;  // standard deviations
+    for (size_t a = 0; a < changes.size(); ++a) {
+        for (size_t b = a + 1; b < changes.size(); ++b) {
+            const LengthChange one = changes[a];
+            const LengthChange other = changes[b];
+            const auto [s, t] = net.edges()[one.edge];
+            const Edge& ends = net.edges()[other.edge];
+            const int node = std::ranges::find(ends, s) != ends.end() ? s : t;
+            if (one.change * other.change < 0.0 && !net.is_support(node) &&
+                std::ranges::find(ends, node) != ends.end() &&
+                std::abs(one.change + other.change) < nearly * std::hypot(one.std, other.std)) {
+                found.push_back({.node = node, .lengths = {one, other}});
+                std::erase_if(changes, [&](const LengthChange& change) {
+                    return change.edge == one.edge || change.edge == other.edge;
+                });
+                take_out_slips(net, changes, found);
+                return;
+            }
+        }
+    }
+}
+
 std::vector<LengthChange> let_go_changed(EvidenceTest& test, const CableNet& net,
                                          const EpochEntries& entries,
                                          const std::vector<int>& edges) {
@@ -177,7 +241,7 @@ ComparedEpoch compared_epoch(EvidenceTest test, const CableNet& net, const Epoch
         all_at_once.is_of_all_turns = true;
         return {.changes = std::move(all_at_once), .let_go = std::move(let_go)};
     }
-    if (is_explained_by_strain(all_at_once)) {
+    if (is_explained_by_strain(all_at_once, let_go)) {
         return {.changes = std::move(all_at_once), .let_go = std::move(let_go)};
     }
     EpochChanges changes;

@@ -10,8 +10,28 @@
 #include "estimation/epoch_evidence.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/survey/survey.hpp"
 
 namespace taut {
+
+/// (epoch-slip): a target that is left out, as a clamp that slipped at its node since the survey
+/// before explains it as well.
+struct SlipOrTarget {
+    int node = 0;
+    std::vector<LengthChange> lengths;  ///< of both edges, if the target is right
+};
+
+/// (epoch-slip) of a target that a survey by itself rejects: whether it lies along a cable from
+/// where the others put it.
+/// @param form where they put all nodes (3 x n) [m]
+[[nodiscard]] std::optional<SlipOrTarget> slip_to_target(const CableNet& net, const Survey& survey,
+                                                         const Points& form, const Outlier& target);
+
+/// (epoch-slip) of changes: two that are opposite, of edges that meet, are one slip or its target.
+/// @param changes lose them
+/// @param found gains them
+void take_out_slips(const CableNet& net, std::vector<LengthChange>& changes,
+                    std::vector<SlipOrTarget>& found);
 
 /// How lengths changed before a survey, besides the turns given.
 struct EpochChanges {
@@ -31,6 +51,7 @@ struct EpochChanges {
         double std = 0.0;
     };
     std::optional<CommonStrain> common_strain;
+    std::vector<SlipOrTarget> slips_or_targets;  ///< in which no other change is
 
     /// Whether the factor on all strokes is not 1.
     [[nodiscard]] bool are_strokes_off() const;

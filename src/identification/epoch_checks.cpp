@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "identification/epoch_net.hpp"
+#include "identification/identify_options.hpp"
 #include "taut/identification/force_units.hpp"
 
 namespace taut {
@@ -82,6 +83,7 @@ void check_changes_before(const CableNet& net, std::span<const Epoch> epochs, si
 void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
                   const IdentifyOptions& options) {
     check_options(net, epochs, options);
+    check_forces_on_runs(net, options.forces);
     for (size_t k = 0; k < epochs.size(); ++k) {
         const Survey& survey = epochs[k].survey;
         with_epoch(k, [&] { check_survey(net, survey); });

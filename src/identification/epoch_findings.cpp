@@ -64,7 +64,6 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
     Trust::Finding finding{
         .kind = FindingKind::length_change,
         .severity = Verdict::doubtful,
-        .ids = {net.edge_id(change.edge)},
         .value = change.change,
         .std = change.std,
         .reason = fmt::format("{} the length of edge {} changed by {}. taut gave each survey a "
@@ -78,6 +77,13 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
     std::erase_if(turned, [&](const EdgeTurned& one) {
         return std::ranges::find(stretch, one.edge) == stretch.end();
     });
+    const int named = turned.empty() ? change.edge : turned.front().edge;
+    finding.ids = {net.edge_id(named)};
+    for (const int edge : stretch) {
+        if (edge != named) {
+            finding.confounded_with.push_back(net.edge_id(edge));
+        }
+    }
     if (!turned.empty()) {
         double stroke = 0.0;
         for (const EdgeTurned& one : turned) {
@@ -86,11 +92,31 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
         finding.reason = fmt::format(
             "{} edge {} is given as turned by {:+.2f} mm, but its length changed by {:+.2f} +- "
             "{:.2f} mm. taut gave each survey a length of its own for it.",
-            between, edge_or_cable(net, change.edge), 1e3 * stroke, 1e3 * (stroke + change.change),
-            1e3 * change.std);
+            between, edge_or_cable(net, turned.front().edge), 1e3 * stroke,
+            1e3 * (stroke + change.change), 1e3 * change.std);
         finding.next = "Check whether it was turned as given, and which way.";
     }
     return finding;
+}
+
+/// (epoch-slip)
+Trust::Finding slip_finding(const CableNet& net, const SlipOrTarget& either,
+                            const std::string& between) {
+    const LengthChange& one = either.lengths[0];
+    const LengthChange& other = either.lengths[1];
+    return {.kind = FindingKind::slip,
+            .severity = Verdict::doubtful,
+            .ids = {net.edge_id(one.edge), net.edge_id(other.edge)},
+            .value = one.change,
+            .std = one.std,
+            .confounded_with = {net.node_id(either.node)},
+            .reason = fmt::format(
+                "{} either the target of node {} went wrong, or a clamp slipped there: edge {} "
+                "changed by {}, edge {} by {}. taut left out the target; the intervals of both "
+                "edges hold either way.",
+                between, net.node_id(either.node), edge_or_cable(net, one.edge), change_text(one),
+                net.edge_id(other.edge), change_text(other)),
+            .next = "Check the clamp and the target."};
 }
 
 /// (creep) that was not given.
@@ -147,6 +173,9 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
     }
     for (const LengthChange& change : epoch.changes) {
         trust.findings.push_back(change_finding(net, epoch, change, between));
+    }
+    for (const SlipOrTarget& either : changes.slips_or_targets) {
+        trust.findings.push_back(slip_finding(net, either, between));
     }
     if (changes.common_strain) {
         trust.findings.push_back(creep_finding(*changes.common_strain, widest_creep, between));

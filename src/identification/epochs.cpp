@@ -186,11 +186,11 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Surveys& a
     return results;
 }
 
-Identification reported_of(const EpochChain& chain, const std::vector<Epoch>& epochs,
-                           const PosteriorSettings& wanted, const Progress& progress) {
+Identification reported_of(const EpochChain& chain, const PosteriorSettings& wanted,
+                           const Progress& progress) {
     const int k = chain.reported();
-    return identify_by_maximum_a_posteriori(chain.net_at(k), epochs[static_cast<size_t>(k)].survey,
-                                            chain.given(k), {}, wanted, progress);
+    return identify_by_maximum_a_posteriori(chain.net_at(k), chain.survey_at(k), chain.given(k), {},
+                                            wanted, progress);
 }
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
@@ -209,9 +209,8 @@ std::optional<Identification> over_priors(const Surveys& all, const IdentifyOpti
         {.count = to_add.draws, .seed = to_add.seed},
         [&](size_t k, const PosteriorSettings& wanted) -> std::optional<Identification> {
             EpochChain chain(all.net, all.epochs(), to_add, nodes[k].prior, 0.0, changes);
-            return chain.converge(progress)
-                       ? std::optional(reported_of(chain, all.epochs(), wanted, progress))
-                       : std::nullopt;
+            return chain.converge(progress) ? std::optional(reported_of(chain, wanted, progress))
+                                            : std::nullopt;
         });
 }
 
@@ -232,21 +231,41 @@ struct Together {
     Trust trust;              ///< besides what each survey and the changes lead to
 };
 
+/// (epoch-slip) of targets that surveys reject together. Adds to the changes.
+/// @return whether there are any
+bool find_slips(const EpochChain& chain, std::vector<EpochChanges>& changes) {
+    bool is_any = false;
+    for (int k = 1; k < chain.count(); ++k) {
+        for (const Outlier& one : chain.found(k).outliers) {
+            if (std::optional<SlipOrTarget> slip = slip_to_target(
+                    chain.net_at(k), chain.survey_at(k), chain.found(k).predicted.form, one)) {
+                changes[static_cast<size_t>(k)].slips_or_targets.push_back(*std::move(slip));
+                is_any = true;
+            }
+        }
+    }
+    return is_any;
+}
+
 /// All surveys added up, with the changes found.
-Together added_up(const Surveys& all, const std::vector<EpochChanges>& changes,
+/// @param changes gains those that all together show
+Together added_up(const Surveys& all, std::vector<EpochChanges>& changes,
                   const Progress& progress) {
     const IdentifyOptions to_add =
         with_own_widths(all.net, all.options, std::sqrt(static_cast<double>(all.epochs().size())));
     EpochChain chain(all.net, all.epochs(), to_add, all.prior, 0.0, changes);
     const std::optional<double> movement = chain.converge(progress);
+    if (movement && find_slips(chain, changes)) {
+        return added_up(all, changes, progress);  // without these targets
+    }
     Together together;
     Identification& result = together.result;
     if (movement) {
         std::optional<Identification> mixture = over_priors(all, to_add, changes, progress);
         together.is_mixture = mixture.has_value();
-        result = mixture ? *std::move(mixture)
-                         : reported_of(chain, all.epochs(),
-                                       {.count = to_add.draws, .seed = to_add.seed}, progress);
+        result = mixture
+                     ? *std::move(mixture)
+                     : reported_of(chain, {.count = to_add.draws, .seed = to_add.seed}, progress);
         add_repeats(together.trust, all.epochs(), chain);
     } else {
         result = chain.found(chain.reported());
@@ -324,7 +343,7 @@ Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
                       .first = first,
                       .prior = central_prior(first.prior),
                       .name_widths = name_widths};
-    const Comparison comparison = compared(all, progress);
+    Comparison comparison = compared(all, progress);
     const std::string contradiction = contradiction_of(net, comparison.changes);
     Together together = contradiction.empty() ? added_up(all, comparison.changes, progress)
                                               : apart(all, comparison, contradiction);

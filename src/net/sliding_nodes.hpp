@@ -13,7 +13,7 @@ namespace taut {
                                                         const CableRun& run);
 
 /// Edges of each stretch of cable that slides, from one clamp to the next, edge by edge.
-[[nodiscard]] std::vector<std::vector<int>> sliding_stretches(const CableNet& net);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<std::vector<int>> sliding_stretches(const CableNet& net);
 
 /// The edges of the stretch that an edge slides in; the edge alone where it does not.
 [[nodiscard]] std::vector<int> stretch_of(const CableNet& net, int edge);

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "identification/jobs.hpp"
+#include "taut/net/cable_runs.hpp"
 
 namespace taut::of_epochs {
 
@@ -51,6 +52,62 @@ TEST(Epochs, NameTheLengthThatChanged) {
                 EXPECT_TRUE(result.epochs[0].outliers.empty() && result.epochs[1].outliers.empty());
             }
             EXPECT_GT(test::coverage(result, job.deviations + slip), 0.9);  // as it is now
+        }
+    }
+}
+
+/// Two edges that follow each other along a cable, far from its ends, and the node between them.
+struct Clamp {
+    int before;
+    int after;
+    int node;
+};
+
+Clamp a_clamp() {
+    const std::vector<int> run = cable_runs(net())[2];
+    const int before = run[run.size() / 2 - 1];
+    const int after = run[run.size() / 2];
+    for (const int node : net().edges()[before]) {
+        if (std::ranges::count(net().edges()[after], node) > 0) {
+            return {.before = before, .after = after, .node = node};
+        }
+    }
+    return {};
+}
+
+/// A slip of a clamp, or a target that went wrong along the cable: one cannot be told from the
+/// other, and whichever it was, lengths are not surer than that.
+TEST(Epochs, HoldWhetherAClampSlippedOrItsTargetIsWrong) {
+    const Clamp clamp = a_clamp();
+    for (const double distance : {8e-3, 15e-3}) {
+        for (const bool is_slip : {false, true}) {
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                Eigen::VectorXd slip = Eigen::VectorXd::Zero(net().interior_edge_count());
+                slip(net().interior_index(clamp.before)) = is_slip ? distance : 0.0;
+                slip(net().interior_index(clamp.after)) = is_slip ? -distance : 0.0;
+                const std::vector<EdgeTurned> turned = some_turns(seed);
+                Job job = job_of(seed, turned, turned, slip);
+                if (!is_slip) {
+                    const auto [s, t] = net().edges()[clamp.after];
+                    const int end = s == clamp.node ? t : s;
+                    Points& form = job.epochs[1].survey.form;
+                    form.col(clamp.node) +=
+                        distance * (form.col(end) - form.col(clamp.node)).normalized();
+                }
+                const Identification result = identify_epochs(net(), job.epochs, with_prior());
+                const Eigen::VectorXd truth = job.deviations + slip;
+                for (const int edge : {clamp.before, clamp.after}) {
+                    const int i = net().interior_index(edge);
+                    EXPECT_LT(std::abs(result.edges[i].length_deviation - truth(i)),
+                              4.0 * result.edges[i].std)
+                        << distance << ' ' << is_slip << ' ' << seed << ' '
+                        << result.trust.findings.front().reason;
+                }
+                if (is_slip) {
+                    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful)
+                        << distance << ' ' << seed;
+                }
+            }
         }
     }
 }

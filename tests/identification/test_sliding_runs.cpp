@@ -245,6 +245,22 @@ TEST(SlidingRuns, ATurnThatWasNotMadeIsNamedWithItsCable) {
                                    "turned by"));
 }
 
+/// Of a cable that slides alone, a turn that was not made is a strain of its group as well.
+TEST(SlidingRuns, ATurnThatWasNotMadeIsNoCreep) {
+    const CableNet net = ridge(0.0);
+    Eigen::VectorXd done = Eigen::VectorXd::Ones(net.edge_count());
+    done(net.data().runs.at(0).edges.front()) = -3.0;
+    for (const std::uint64_t seed : {1, 2, 5}) {
+        const Identification found =
+            identify_epochs(net, turned_runs(net, seed, done).epochs,
+                            {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}});
+        for (const Trust::Finding& finding : found.trust.findings) {
+            EXPECT_NE(finding.kind, Trust::Finding::Kind::uncertain_parameter) << finding.reason;
+        }
+        EXPECT_NE(found.trust.verdict(), Trust::Verdict::passed);
+    }
+}
+
 TEST(SlidingRuns, WhatTakesEdgesAsClampedIsRefused) {
     const CableNet net = ridge(0.1);
     const test::SimulatedSurvey s =
@@ -256,6 +272,14 @@ TEST(SlidingRuns, WhatTakesEdgesAsClampedIsRefused) {
     refused({.method = IdentificationMethod::gp}, "expected the method map");
     refused({.forces = {.measurements = {{.edge = 1, .tension = 30e3, .std = 300.0}}}},
             "measure an edge that is clamped at both ends");
+    const std::vector<Epoch> epochs(2, {.survey = s.survey, .turned = {}});
+    EXPECT_THAT(
+        [&] {
+            (void)identify_epochs(
+                net, epochs,
+                {.forces = {.measurements = {{.edge = 1, .tension = 30e3, .std = 300.0}}}});
+        },
+        testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("clamped at both ends")));
 }
 
 }  // namespace
