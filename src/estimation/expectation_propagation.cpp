@@ -119,9 +119,9 @@ public:
                 observations.tension(e) = (m_measured_weights(e) * m_measured(e) + m_pull(e)) /
                                           observations.tension_weights(e);
                 // What a site says is of the tension itself.
-                observations.tension_bias.row(e) =
-                    m_measured_weights(e) / observations.tension_weights(e) *
-                    m_measured_bias.row(e);
+                observations.tension_bias.row(e) = m_measured_weights(e) /
+                                                   observations.tension_weights(e) *
+                                                   m_measured_bias.row(e);
             }
         }
     }

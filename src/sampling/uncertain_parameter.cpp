@@ -77,9 +77,9 @@ void check_width(const UncertainParameter& parameter, std::string_view text) {
                         parameter_examples));
     }
     if (parameter.unit() == "1" && parameter.std >= widest_part) {
-        throw std::invalid_argument(fmt::format(
-            "the uncertain parameter '{}' has a width of {:g} % or more, expected less", text,
-            1e2 * widest_part));
+        throw std::invalid_argument(
+            fmt::format("the uncertain parameter '{}' has a width of {:g} % or more, expected less",
+                        text, 1e2 * widest_part));
     }
 }
 

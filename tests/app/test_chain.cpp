@@ -216,9 +216,9 @@ TEST_F(Chain, ACableThatSlidesGoesThroughAllOfIt) {
     must_run({"export", "ridge_result.json", "--to", "net", "-o", "ridge_built.json"});
     const json built = json::parse(must_run({"form", "ridge_built.json", "--json"}));
     EXPECT_LT(built.at("largest_move").get<double>(), 1e-6);
-    const json predicted = json::parse(must_run({"inspect", "ridge.json", "--survey",
-                                                 "of_ridge.csv", "--prior", "normal:2mm",
-                                                 "--suggest", "--json"}));
+    const json predicted =
+        json::parse(must_run({"inspect", "ridge.json", "--survey", "of_ridge.csv", "--prior",
+                              "normal:2mm", "--suggest", "--json"}));
     EXPECT_THAT(predicted.at("survey").at("suggestions").at("left_out").back().get<std::string>(),
                 HasSubstr("of edges that slide"));
     must_run({"survey", "ridge.json", "built.csv", "--noise", "0.5mm", "--seed", "2", "-o",
