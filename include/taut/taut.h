@@ -25,6 +25,8 @@
 extern "C" {
 #endif
 
+/* NOLINTBEGIN(readability-identifier-naming): as C writes them */
+
 /* How a call ended. The values are the exit codes of the program. */
 typedef enum taut_status {
     TAUT_OK = 0,
@@ -116,6 +118,8 @@ TAUT_API int taut_plan_is_feasible(const taut_plan* plan);
 TAUT_API const char* taut_plan_json(const taut_plan* plan);
 /* Change of length of each edge, taut_edge_count(). */
 TAUT_API taut_status taut_plan_strokes(const taut_plan* plan, double* strokes);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

@@ -39,23 +39,37 @@
 #include "taut/version.hpp"
 
 struct taut_net {
-    explicit taut_net(taut::CableNet given) : net(std::move(given)), json(net_to_json(net)) {}
+    explicit taut_net(const taut::CableNet& of) : net(of), json(net_to_json(of)) {}
 
     taut::CableNet net;
     std::string json;
 };
 
 struct taut_survey {
+    explicit taut_survey(taut::Survey seen) : survey(std::move(seen)) {}
+
     taut::Survey survey;
 };
 
 struct taut_result {
+    taut_result(const taut::CableNet& of, taut::Identification identified, std::string text)
+        : net(of), found(std::move(identified)), json(std::move(text)) {}
+
     taut::CableNet net;
     taut::Identification found;
     std::string json;
 };
 
 struct taut_plan {
+    taut_plan(const taut::Plan& plan, int edges, std::string text)
+        : is_feasible(plan.is_feasible),
+          strokes(Eigen::VectorXd::Zero(edges)),
+          json(std::move(text)) {
+        for (const taut::PlannedStroke& one : plan.strokes) {
+            strokes(one.edge) = one.stroke;
+        }
+    }
+
     bool is_feasible;
     Eigen::VectorXd strokes;
     std::string json;
@@ -456,8 +470,8 @@ taut_survey* taut_read_survey(const taut_net* net, const char* file, double nois
         if (noise_std > 0.0) {
             options.noise_std = noise_std;
         }
-        return std::unique_ptr<taut_survey>(new taut_survey{
-            .survey = taut::read_survey(given(net, "net").net, text_given(file, "file"), options)});
+        return std::make_unique<taut_survey>(
+            taut::read_survey(given(net, "net").net, text_given(file, "file"), options));
     });
 }
 
@@ -479,7 +493,7 @@ taut_survey* taut_make_survey(const taut_net* net, const double* form, double no
             }
         }
         check_survey(of, survey);
-        return std::unique_ptr<taut_survey>(new taut_survey{.survey = std::move(survey)});
+        return std::make_unique<taut_survey>(std::move(survey));
     });
 }
 
@@ -499,8 +513,7 @@ taut_result* taut_identify(const taut_net* net, const taut_survey* survey, const
         }
         std::string text =
             identification_to_json(of, with_noise_times(seen, found.noise_scale), found);
-        return std::unique_ptr<taut_result>(
-            new taut_result{.net = of, .found = std::move(found), .json = std::move(text)});
+        return std::make_unique<taut_result>(of, std::move(found), std::move(text));
     });
 }
 
@@ -546,15 +559,9 @@ taut_plan* taut_plan_turns(const taut_result* result, const double* target, cons
         Report report;
         const taut::PlannedTurns turns =
             taut::plan_turns(net, built, to, request, report.progress());
-        Eigen::VectorXd strokes = Eigen::VectorXd::Zero(net.edge_count());
-        for (const taut::PlannedStroke& one : turns.plan.strokes) {
-            strokes(one.edge) = one.stroke;
-        }
         std::string document = taut::plan_to_json(
             {.net = &net, .built = &built, .trust = &found.trust, .target = &to, .turns = &turns});
-        return std::unique_ptr<taut_plan>(new taut_plan{.is_feasible = turns.plan.is_feasible,
-                                                        .strokes = std::move(strokes),
-                                                        .json = std::move(document)});
+        return std::make_unique<taut_plan>(turns.plan, net.edge_count(), std::move(document));
     });
 }
 

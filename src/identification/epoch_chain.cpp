@@ -51,6 +51,12 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
             actuator_std =
                 std::max(actuator_std, is_adjustable(change.edge) ? width_of(change) : 0.0);
         }
+        for (const SlipOrTarget& either : of_survey.slips_or_targets) {
+            for (const LengthChange& change : either.lengths) {
+                actuator_std = std::max(actuator_std,
+                                        is_adjustable(change.edge) ? std::abs(change.change) : 0.0);
+            }
+        }
     }
     actuator_std = std::min(actuator_std, m_widest_turn);
     if (actuator_std > 0.0 && !is_given) {
@@ -142,7 +148,9 @@ void EpochChain::allow(const std::vector<EpochChanges>& changes) {
                                       either.node);
             }
             for (const LengthChange& change : either.lengths) {
-                add_variance(k, change.edge, std::abs(change.change));
+                const double width = std::abs(change.change);
+                add_variance(k, change.edge,
+                             is_adjustable(change.edge) ? std::min(width, m_widest_turn) : width);
             }
         }
         if (changes[k].excess_actuator_std > 0.0) {

@@ -166,7 +166,10 @@ std::optional<SlipOrTarget> slip_to_target(const CableNet& net, const Survey& su
         const auto [s, t] = net.edges()[edge];
         return (form.col(s == node ? t : s) - form.col(node)).normalized();
     };
-    if (net.is_support(node) || !(moved.norm() > 0.0)) {
+    // Where a run slides, each survey has lengths of its own anyway.
+    const bool slides = std::ranges::any_of(net.sliding_nodes(),
+                                            [&](const SlidingNode& at) { return at.node == node; });
+    if (net.is_support(node) || slides || !(moved.norm() > 0.0)) {
         return std::nullopt;
     }
     for (const int towards : net.edges_at(node)) {

@@ -112,6 +112,19 @@ TEST(Epochs, HoldWhetherAClampSlippedOrItsTargetIsWrong) {
     }
 }
 
+/// Beside a turnbuckle whose length is taken as exact.
+TEST(Epochs, HoldWhereATargetIsWrongBesideATurnbuckle) {
+    const int edge = net().adjustable_edges()[3];
+    const auto [s, t] = net().edges()[edge];
+    const int node = net().is_support(s) ? t : s;
+    Job job = job_as_given(2, {});
+    Points& form = job.epochs[1].survey.form;
+    form.col(node) += 15e-3 * (form.col(s == node ? t : s) - form.col(node)).normalized();
+    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    EXPECT_EQ(result.status, IdentificationStatus::converged);
+    EXPECT_GT(test::coverage(result, job.deviations), 0.9);
+}
+
 TEST(Epochs, AreRefusedWhereTheTurnsAreOfAnotherDay) {
     const Job job = job_of(1, some_turns(1), some_turns(2));
     const Identification result = identify_epochs(net(), job.epochs, with_prior());

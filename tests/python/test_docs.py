@@ -28,6 +28,7 @@ RUN_BY = {
     ("cpp", "README.md"): CONSUMER,
     ("cpp", "docs/linking.md"): CONSUMER,
     ("cmake", "docs/linking.md"): CONSUMER,
+    ("c", "docs/linking.md"): "tests/consumer/run.cmake",
     ("sh", "docs/linking.md"): "tests/consumer/run.cmake",
 }
 
