@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "taut/adjustment/request_error.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut {
@@ -52,8 +52,8 @@ double parse_part_of_turn(const std::string& text) {
     const std::optional<double> below =
         bar == std::string::npos ? 1.0 : number_in(std::string_view(text).substr(bar + 1));
     if (!above || !below || !(*above > 0.0) || !(*below > 0.0)) {
-        throw std::invalid_argument(
-            fmt::format("step is '{}', expected a part of a turn, such as 1/4", text));
+        throw RequestError("step",
+                           fmt::format("is '{}', expected a part of a turn, such as 1/4", text));
     }
     return *above / *below;
 }
@@ -63,8 +63,9 @@ TensionRange parse_tension_range(const std::string& text) {
     std::optional<std::string> group = take_group(range);
     const size_t dots = range.find("..");
     if (dots == std::string::npos || range.find("...") != std::string::npos) {
-        throw std::invalid_argument(fmt::format(
-            "tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%", text));
+        throw RequestError(
+            "tension",
+            fmt::format("is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%", text));
     }
     return {.least = parse_tension_bound(range.substr(0, dots)),
             .most = parse_tension_bound(range.substr(dots + 2)),
@@ -96,8 +97,10 @@ std::vector<GivenStage> parse_stages(const std::string& text) {
         const size_t colon = std::min(one.find(':'), one.size());
         const double part = colon < one.size() ? parse_part(one.substr(colon + 1)) : 1.0;
         if (colon == 0) {
-            throw std::invalid_argument(fmt::format(
-                "stages is '{}', expected groups and parts such as ridge:50%,valley,ridge", text));
+            throw RequestError(
+                "stages",
+                fmt::format("is '{}', expected groups and parts such as ridge:50%,valley,ridge",
+                            text));
         }
         stages.push_back({.group = one.substr(0, colon), .part = part});
         begin = end + 1;
@@ -116,9 +119,11 @@ DeviationWeights parse_weights(const std::string& text) {
         const std::optional<double> value = number_in(one.substr(std::min(colon + 1, one.size())));
         if ((name != "normal" && name != "tangential") || !value ||
             !(*value >= 0.0 && std::isfinite(*value))) {
-            throw std::invalid_argument(fmt::format(
-                "weights is '{}', expected weights of 0 or more such as normal:1,tangential:0.1",
-                text));
+            throw RequestError(
+                "weights",
+                fmt::format(
+                    "is '{}', expected weights of 0 or more such as normal:1,tangential:0.1",
+                    text));
         }
         (name == "normal" ? weights.normal : weights.tangential) = *value;
     }

@@ -23,9 +23,11 @@
 
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/plan_turns.hpp"
+#include "taut/adjustment/request_error.hpp"
 #include "taut/adjustment/request_text.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/printable.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/read_survey.hpp"
@@ -97,7 +99,7 @@ Caller& caller() {
 taut_status failed(taut_status status, const char* message) noexcept {
     caller().status = status;
     try {
-        caller().message = message;
+        caller().message = taut::printable(message);
     } catch (...) {
         caller().message.clear();
     }
@@ -263,6 +265,8 @@ public:
     static auto naming(const char* name, const Action& action) -> decltype(action()) {
         try {
             return action();
+        } catch (const taut::RequestError& error) {
+            throw InputError("options", fmt::format("/{}", name), error.problem());
         } catch (const std::invalid_argument& error) {
             throw InputError("options", fmt::format("/{}", name), error.what());
         }

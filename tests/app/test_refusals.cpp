@@ -195,7 +195,7 @@ cost_of_no_kind | inspect net.json --survey survey.csv --suggest --cost cell:2 |
 cost_of_nothing | inspect net.json --survey survey.csv --suggest --cost load:0 | --cost is 'load:0'
 load_upwards | inspect net.json --survey survey.csv --suggest --load=-5N | --load is '-5N'
 # stages
-of_no_group | plan net.json result.json -o old.json --stages :50% | stages is ':50%'
+of_no_group | plan net.json result.json -o old.json --stages :50% | --stages is ':50%'
 # prior
 of_form_above_the_shortest_length | form net.json --prior uniform:9m -o old.csv | net.json: the prior uniform:9000mm
 of_form_of_no_kind | form net.json --prior gauss:5mm -o old.csv | 'gauss:5mm'

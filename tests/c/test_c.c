@@ -38,8 +38,8 @@ static double noise(int i) {
     return 0.5e-3 * sin(1.0 + 7.31 * i * i);
 }
 
-static taut_survey* survey_of(const taut_net* net, double* form, const double* lengths) {
-    CHECK(taut_equilibrium(net, lengths, form, NULL) == TAUT_OK);
+static taut_survey* survey_of(const taut_net* net, double* form) {
+    CHECK(taut_equilibrium(net, NULL, form, NULL) == TAUT_OK);
     for (int i = 0; i < 3 * taut_node_count(net); ++i) {
         form[i] += noise(i);
     }
@@ -66,7 +66,7 @@ static void check_whole_chain(void) {
         CHECK(tensions[e] > 0.0);
     }
 
-    taut_survey* survey = survey_of(net, form, NULL);
+    taut_survey* survey = survey_of(net, form);
     CHECK(survey != NULL);
     taut_set_threads(1);
     taut_result* result = taut_identify(
@@ -74,11 +74,11 @@ static void check_whole_chain(void) {
         "{\"prior\": \"normal:2mm\", \"uncertain\": [\"stiffness:3%\"], \"draws\": 60}");
     CHECK(result != NULL && strcmp(taut_verdict(result), "passed") == 0);
     CHECK(strstr(taut_result_json(result), "\"taut-identification\"") != NULL);
-    double* designed = malloc(m * sizeof *designed);
-    CHECK(taut_result_edges(result, lengths, stds, designed, tension_stds) == TAUT_OK);
+    double* identified = malloc(m * sizeof *identified);
+    CHECK(taut_result_edges(result, lengths, stds, identified, tension_stds) == TAUT_OK);
     for (int e = 0; e < m; ++e) {
         CHECK(lengths[e] > 0.0 && stds[e] >= 0.0 && stds[e] < 2.1e-3);
-        CHECK(fabs(designed[e] / tensions[e] - 1.0) < 0.2 && tension_stds[e] > 0.0);
+        CHECK(fabs(identified[e] / tensions[e] - 1.0) < 0.2 && tension_stds[e] > 0.0);
     }
     taut_result* same = taut_identify(
         net, survey,
@@ -108,19 +108,20 @@ static void check_whole_chain(void) {
     free(tensions);
     free(lengths);
     free(stds);
-    free(designed);
+    free(identified);
     free(tension_stds);
 }
 
 static void check_refusals(void) {
     taut_net* net = taut_builtin_net("hypar:5x5");
     double* form = malloc(3 * taut_node_count(net) * sizeof *form);
-    taut_survey* survey = survey_of(net, form, NULL);
+    taut_survey* survey = survey_of(net, form);
     CHECK(fails(taut_read_net("no/such.json"), TAUT_WRONG_INPUT, "no/such.json"));
     CHECK(fails(taut_read_net(NULL), TAUT_WRONG_INPUT, "file is NULL"));
     CHECK(fails(taut_parse_net("{\"nodes\": 3}"), TAUT_WRONG_INPUT, "net"));
     CHECK(fails(taut_parse_net("\xff\xfe"), TAUT_WRONG_INPUT, "net"));
     CHECK(fails(taut_builtin_net("roof"), TAUT_WRONG_INPUT, "roof"));
+    CHECK(fails(taut_builtin_net("two\nlines"), TAUT_WRONG_INPUT, "two"));
     CHECK(fails(taut_make_survey(net, form, 0.0), TAUT_WRONG_INPUT, "noise_std is 0"));
     CHECK(fails(taut_make_survey(net, NULL, 1e-3), TAUT_WRONG_INPUT, "form is NULL"));
     CHECK(fails(taut_make_survey(NULL, form, 1e-3), TAUT_WRONG_INPUT, "net is NULL"));
@@ -143,7 +144,7 @@ static void check_refusals(void) {
     }
     taut_result* result = taut_identify(net, survey, "{\"draws\": 0}");
     CHECK(fails(taut_plan_turns(result, NULL, "{\"tension\": [\"much\"]}"), TAUT_WRONG_INPUT,
-                "options:/tension: "));
+                "options:/tension: is 'much'"));
     CHECK(fails(taut_plan_turns(result, NULL, "{\"edges\": [\"none\"]}"), TAUT_WRONG_INPUT,
                 "options:/edges: names 'none'"));
     CHECK(fails(taut_plan_turns(result, NULL, "{\"step\": 0.5}"), TAUT_WRONG_INPUT,

@@ -75,8 +75,7 @@ Clamp a_clamp() {
     return {};
 }
 
-/// A slip of a clamp, or a target that went wrong along the cable: one cannot be told from the
-/// other, and whichever it was, lengths are not surer than that.
+/// A slip of a clamp, or a target that went wrong along the cable: which of both is open, and whichever it was, lengths are not surer than that.
 TEST(Epochs, HoldWhetherAClampSlippedOrItsTargetIsWrong) {
     const Clamp clamp = a_clamp();
     for (const double distance : {8e-3, 15e-3}) {

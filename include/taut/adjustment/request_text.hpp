@@ -15,7 +15,7 @@
 namespace taut {
 
 /// "1.5kN..10kN[@GROUP]", "20%..60%[@GROUP]"; either end may be left out.
-/// @throws std::invalid_argument
+/// @throws RequestError for another text, std::invalid_argument for another force or part
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT TensionRange parse_tension_range(const std::string& text);
 
 /// "20kN[@GROUP]".
@@ -27,15 +27,15 @@ namespace taut {
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT GivenTension parse_target_tension(const std::string& text);
 
 /// Stages "ridge:50%,valley,ridge": GROUP or GROUP:PART, one after the other.
-/// @throws std::invalid_argument for another text
+/// @throws RequestError for another text, std::invalid_argument for another part
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<GivenStage> parse_stages(const std::string& text);
 
 /// "normal:1,tangential:0.1"; what is not named has its default.
-/// @throws std::invalid_argument
+/// @throws RequestError for another text
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT DeviationWeights parse_weights(const std::string& text);
 
 /// "1/4" or "0.25": a part of a turn.
-/// @throws std::invalid_argument
+/// @throws RequestError for another text
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT double parse_part_of_turn(const std::string& text);
 
 }  // namespace taut
