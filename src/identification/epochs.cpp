@@ -154,6 +154,25 @@ Comparison compared(const Surveys& all, const Progress& progress) {
     return result;
 }
 
+/// Brings a result of a chain to the survey as it is: targets that (epoch-slip) left out are
+/// outliers of it.
+void add_left_out(Identification& result, const EpochChain& chain, int k, const Survey& survey,
+                  const EpochChanges& changes) {
+    if (result.predicted.form.cols() == 0) {
+        return;
+    }
+    const Points misses = result.predicted.form - survey.form;
+    for (const SlipOrTarget& either : changes.slips_or_targets) {
+        if (!std::ranges::binary_search(chain.survey_at(k).surveyed, either.node)) {
+            const double statistic = either.lengths.front().statistic;
+            result.outliers.push_back({.node = either.node,
+                                       .distance = misses.col(either.node).norm(),
+                                       .statistic = statistic * statistic});
+        }
+    }
+    result.residuals = misses(Eigen::all, survey.surveyed).colwise().norm().transpose();
+}
+
 /// The results of the single surveys.
 std::vector<EpochResult> epoch_results(const EpochChain& chain, const Surveys& all,
                                        const std::vector<EpochChanges>& changes) {
@@ -167,6 +186,8 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Surveys& a
         }
         const Epoch& epoch = all.epochs()[static_cast<size_t>(k)];
         const EpochChanges& changed = changes[static_cast<size_t>(k)];
+        Trust trust = trust_of(chain.net_at(k), chain.survey_at(k), found);
+        add_left_out(found, chain, k, epoch.survey, changed);
         results.push_back({.surveyed = static_cast<int>(epoch.survey.surveyed.size()),
                            .turned = epoch.turned,
                            .load = epoch.loads.colwise().norm().sum(),
@@ -181,7 +202,7 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Surveys& a
                            .excess_actuator_std = changed.excess_actuator_std,
                            .stroke_factor = changed.stroke_factor,
                            .stroke_factor_std = changed.stroke_factor_std,
-                           .trust = trust_of(chain.net_at(k), epoch.survey, found)});
+                           .trust = std::move(trust)});
     }
     return results;
 }
@@ -195,17 +216,17 @@ Identification reported_of(const EpochChain& chain, const PosteriorSettings& wan
 
 /// (prior-mixture) of all surveys, by the posterior of the prior that the first one leaves.
 /// @param to_add with_own_widths()
+/// @param reported the chain under one prior
 /// @return empty where one prior does, and where the surveys converge under too few
 std::optional<Identification> over_priors(const Surveys& all, const IdentifyOptions& to_add,
                                           const std::vector<EpochChanges>& changes,
-                                          const Progress& progress) {
+                                          const EpochChain& reported, const Progress& progress) {
     const std::vector<PriorNode>& nodes = all.first.prior.nodes;
     if (all.first.prior.exact || nodes.size() < 2) {
         return std::nullopt;
     }
-    const size_t reported = reported_epoch(all.epochs());
     return mixture_over(
-        net_at_survey(all.net, all.epochs(), reported), all.epochs()[reported].survey, nodes,
+        reported.net_at(reported.reported()), reported.survey_at(reported.reported()), nodes,
         {.count = to_add.draws, .seed = to_add.seed},
         [&](size_t k, const PosteriorSettings& wanted) -> std::optional<Identification> {
             EpochChain chain(all.net, all.epochs(), to_add, nodes[k].prior, 0.0, changes);
@@ -261,12 +282,12 @@ Together added_up(const Surveys& all, std::vector<EpochChanges>& changes,
     Together together;
     Identification& result = together.result;
     if (movement) {
-        std::optional<Identification> mixture = over_priors(all, to_add, changes, progress);
+        std::optional<Identification> mixture = over_priors(all, to_add, changes, chain, progress);
         together.is_mixture = mixture.has_value();
         result = mixture
                      ? *std::move(mixture)
                      : reported_of(chain, {.count = to_add.draws, .seed = to_add.seed}, progress);
-        add_repeats(together.trust, all.epochs(), chain);
+        add_repeats(together.trust, chain);
     } else {
         result = chain.found(chain.reported());
         set_failure(result, chain);
@@ -283,9 +304,10 @@ Together added_up(const Surveys& all, std::vector<EpochChanges>& changes,
     }
     all.name_widths(result);
     result.epochs = epoch_results(chain, all, changes);
-    const int reported = chain.reported();
-    result.epochs[static_cast<size_t>(reported)].trust = trust_of(
-        chain.net_at(reported), all.epochs()[static_cast<size_t>(reported)].survey, result);
+    const int k = chain.reported();
+    const auto place = static_cast<size_t>(k);
+    result.epochs[place].trust = trust_of(chain.net_at(k), chain.survey_at(k), result);
+    add_left_out(result, chain, k, all.epochs()[place].survey, changes[place]);
     return together;
 }
 

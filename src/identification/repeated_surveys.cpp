@@ -54,13 +54,13 @@ double difference_ratio(const FittedEpoch& a, const FittedEpoch& b) {
 
 }  // namespace
 
-void add_repeats(Trust& trust, std::span<const Epoch> epochs, const EpochChain& chain) {
+void add_repeats(Trust& trust, const EpochChain& chain) {
     constexpr double too_close = 0.7;
     for (int b = 1; b < chain.count(); ++b) {
         for (int a = 0; a < b; ++a) {
             const double difference =
-                difference_ratio({.survey = epochs[a].survey, .found = chain.found(a)},
-                                 {.survey = epochs[b].survey, .found = chain.found(b)});
+                difference_ratio({.survey = chain.survey_at(a), .found = chain.found(a)},
+                                 {.survey = chain.survey_at(b), .found = chain.found(b)});
             if (difference > 0.0 && difference < too_close) {
                 trust.findings.push_back(
                     {.kind = Trust::Finding::Kind::repeated_survey,

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
 #include "identification/epoch_chain.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/trust.hpp"
@@ -12,6 +10,6 @@ namespace taut {
 
 /// Reports surveys with the same errors, which would count twice.
 /// @param chain of the surveys, converged
-void add_repeats(Trust& trust, std::span<const Epoch> epochs, const EpochChain& chain);
+void add_repeats(Trust& trust, const EpochChain& chain);
 
 }  // namespace taut
