@@ -53,8 +53,8 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
         }
         for (const SlipOrTarget& either : of_survey.slips_or_targets) {
             for (const LengthChange& change : either.lengths) {
-                actuator_std = std::max(actuator_std,
-                                        is_adjustable(change.edge) ? std::abs(change.change) : 0.0);
+                actuator_std =
+                    std::max(actuator_std, is_adjustable(change.edge) ? either.width() : 0.0);
             }
         }
     }
@@ -148,7 +148,7 @@ void EpochChain::allow(const std::vector<EpochChanges>& changes) {
                                       either.node);
             }
             for (const LengthChange& change : either.lengths) {
-                const double width = std::abs(change.change);
+                const double width = either.width();
                 add_variance(k, change.edge,
                              is_adjustable(change.edge) ? std::min(width, m_widest_turn) : width);
             }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,12 @@ namespace taut {
 struct SlipOrTarget {
     int node = 0;
     std::vector<LengthChange> lengths;  ///< of both edges, if the target is right
+
+    /// By how much either may have changed: of two found one after the other, the first one's
+    /// estimate is too small [m].
+    [[nodiscard]] double width() const {
+        return std::max(std::abs(lengths[0].change), std::abs(lengths[1].change));
+    }
 };
 
 /// (epoch-slip) of a target that a survey by itself rejects: whether it lies along a cable from
