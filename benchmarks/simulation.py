@@ -70,11 +70,11 @@ def write_survey(path, nodes, place_of, random, hidden=0.1, shown=None):
     return set(seen)
 
 
-def identify(folder, *words, survey="survey.csv"):
-    """Result of net.json and a survey of the folder, None where there is none; and how the program ended."""
+def identify(folder, *words, survey="survey.csv", net="net.json"):
+    """Result of a net and a survey of the folder, None where there is none; and how the program ended."""
     path = folder / "result.json"
     path.unlink(missing_ok=True)
-    ended = taut("identify", folder / "net.json", folder / survey, *words, "--quiet", "-o", path)
+    ended = taut("identify", folder / net, folder / survey, *words, "--quiet", "-o", path)
     return (json.loads(path.read_text()) if path.exists() else None), ended
 
 
@@ -144,7 +144,7 @@ class Net:
         self.adjustable = np.array(data.get("adjustable", np.flatnonzero(at_supports)))
         self.interior = np.setdiff1d(np.arange(count), self.adjustable)
         self.is_strut = np.array(data.get("kind", ["cable"] * count)) == "strut"
-        self.load_factor, self.missing_load = 1.0, 0.0
+        self.load_factor, self.missing_load, self.stiffness_factor = 1.0, 0.0, 1.0
         self.options = []  # of taut identify, besides those of a study
         self.alter = lambda deviations, nodes, random: None
         self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
@@ -179,7 +179,7 @@ class Net:
         """A net as it might be built: its form, tensions, length deviations and uncertain parameters."""
         random = np.random.default_rng(seed)
         count, nodes = len(self.edges), self.nodes.copy()
-        factor, lengths, loads, truth = np.ones(count), self.lengths.copy(), self.loads.copy(), {}
+        factor, lengths, loads, truth = np.full(count, self.stiffness_factor), self.lengths.copy(), self.loads.copy(), {}
         for text in uncertain:
             name, width = text.split(":")
             std = quantity(width)
@@ -204,6 +204,10 @@ class Net:
         loads[self.free, 2] -= self.missing_load
         built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
         built["axial_stiffness"] = (self.stiffness * factor).tolist()
+        if "tension_law" in built:
+            laws = [self.data["tension_laws"][law] for law in built["tension_law"]]
+            built["tension_laws"] = [dict(law, tension=(by * np.array(law["tension"])).tolist()) for law, by in zip(laws, factor)]
+            built["tension_law"] = list(range(count))
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
         built["unstressed_lengths"] = lengths.tolist()
         (self.folder / "built.json").write_text(json.dumps(built))

@@ -112,6 +112,7 @@ void warn_of_left_out(const ExportOptions& options, Exported& exported) {
           {data.breaking_load.size() > 0, "breaking loads"},
           {data.buckling_load.size() > 0, "buckling loads"},
           {data.bending_stiffness.size() > 0, "bending stiffnesses"},
+          {!data.cable_ends.empty(), "how the ends of cables are held"},
           {!data.thread.empty(), "threads"}}) {
         if (is_given && options.format != "net") {
             absent.emplace_back(what);

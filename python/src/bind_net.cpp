@@ -79,6 +79,21 @@ void set_sag_weights(const std::variant<std::monostate, std::string, ArrayLike>&
     }
 }
 
+/// A word for each edge, or one for all.
+void set_cable_ends(const std::variant<std::string, Names>& given, CableNetData& data) {
+    const auto* const one = std::get_if<std::string>(&given);
+    for (const std::string& word :
+         one != nullptr ? Names(data.edges.size(), *one) : std::get<Names>(given)) {
+        const std::optional<CableEnds> ends = cable_ends_named(word);
+        if (!ends) {
+            throw nb::value_error(
+                fmt::format("cable_ends: got '{}', expected 'hinged', 'fixed' or 'unknown'", word)
+                    .c_str());
+        }
+        data.cable_ends.push_back(*ends);
+    }
+}
+
 void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const ArrayLike& edges, const ArrayLike& axial_stiffness,
               const ArrayLike& unstressed_lengths, const std::optional<ArrayLike>& adjustable,
@@ -95,7 +110,8 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::map<int, ArrayLike>& support_stiffness,
               const std::variant<std::string, std::map<int, ArrayLike>>& support_place,
               const Names& kind, const std::optional<ArrayLike>& buckling_load,
-              const std::variant<std::monostate, std::string, ArrayLike>& sag_weight) {
+              const std::variant<std::monostate, std::string, ArrayLike>& sag_weight,
+              const std::variant<std::string, Names>& cable_ends) {
     CableNetData data;
     data.name = name;
     data.nodes = points_argument(nodes, "nodes", -1);
@@ -141,6 +157,7 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
         }
     }
     set_sag_weights(sag_weight, data);
+    set_cable_ends(cable_ends, data);
     for (const std::string& one : thread) {
         data.thread.push_back(thread_named(one));
     }
@@ -249,6 +266,7 @@ void bind_net(nb::module_& module) {
             nb::arg("support_stiffness") = std::map<int, ArrayLike>(),
             nb::arg("support_place") = std::map<int, ArrayLike>(), nb::arg("kind") = Names(),
             nb::arg("buckling_load") = nb::none(), nb::arg("sag_weight") = nb::none(),
+            nb::arg("cable_ends") = Names(),
             R"(Checks every rule of a net.
 
 Args:
@@ -284,6 +302,7 @@ Args:
         struts [N].
     sag_weight: weight of a metre across the chord, which makes a cable sag between its nodes (m,),
         one number for all cables, or 'mass': of `mass` [N/m]. It adds no load.
+    cable_ends: 'hinged', 'fixed' or 'unknown' of each edge, or of all, for tensions from frequencies.
 
 Raises:
     NetError: naming the place, the value and the rule.
@@ -350,6 +369,16 @@ Raises:
             return kinds;
         },
         "'cable' or 'strut' of each edge.");
+    net.def_prop_ro(
+        "cable_ends",
+        [](const CableNet& self) {
+            Names ends;
+            for (const CableEnds one : self.data().cable_ends) {
+                ends.push_back(to_string(one));
+            }
+            return ends;
+        },
+        "'hinged', 'fixed' or 'unknown' of each edge, or empty.");
     net.def_prop_ro(
         "buckling_load", [](const CableNet& self) { return array_of(self.data().buckling_load); },
         "Of struts, infinite where not known (m,), or empty [N].");

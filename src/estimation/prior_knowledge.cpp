@@ -42,8 +42,10 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
     int k = 0;
     for (const UncertainParameter& parameter : uncertain) {
         if (parameter.kind == kind) {
-            result.tension_bias(force.edge, k) = std::copysign(
-                std::hypot(parameter.std * force.tension, force.shared_std), force.tension);
+            // A cable that is heavier than given carries more than its frequency shows.
+            result.tension_bias(force.edge, k) =
+                std::copysign(std::hypot(parameter.std * force.tension, force.shared_std),
+                              kind == Kind::mass ? -force.tension : force.tension);
             return;
         }
         k += is_common(parameter) ? 1 : 0;

@@ -50,7 +50,7 @@ void set_edges(Identification& result, const CableNet& net, const std::vector<Le
 }
 
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,
-                  const Points& start) {
+                  const Points& start, const Points& test_loads) {
     Eigen::VectorXd lengths = net.unstressed_lengths();
     for (const IdentifiedEdge& e : result.edges) {
         lengths(e.edge) += e.length_deviation;
@@ -81,7 +81,7 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
     if (result.uncertain.empty() && !result.frame_offset && result.boundary_outliers.empty()) {
         balance(net, lengths);
     } else {
-        ModelPerturbation perturbation = perturbation_of(net, result.uncertain);
+        ModelPerturbation perturbation = perturbation_of(net, result.uncertain, test_loads);
         for (const BoundaryOutlier& outlier : result.boundary_outliers) {
             if (outlier.kind == BoundaryOutlier::Kind::support) {
                 perturbation.supports.col(outlier.index) += outlier.deviation;

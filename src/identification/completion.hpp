@@ -23,7 +23,8 @@ void set_edges(Identification& result, const CableNet& net, const std::vector<Le
 
 /// Predicts the form from a result's lengths and uncertain parameters, beginning at a start, and
 /// compares it with the survey. Status and message report where there is no equilibrium.
+/// @param test_loads of the survey, among the net's loads (3 x n); 3 x 0: none [N]
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,
-                  const Points& start);
+                  const Points& start, const Points& test_loads = Points(3, 0));
 
 }  // namespace taut

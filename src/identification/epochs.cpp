@@ -403,14 +403,6 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     forces.by_loads = std::ranges::any_of(epochs, &Epoch::is_loaded);
     std::vector<UncertainParameter> uncertain =
         with_site_assumptions(net, options.uncertain, forces);
-    // With a mass as uncertain as the stiffness the chain does not converge where the weight
-    // makes the tension.
-    const bool by_mass =
-        std::ranges::any_of(options.forces.measurements, &ForceMeasurement::is_by_mass);
-    std::erase_if(uncertain, [&](const UncertainParameter& one) {
-        return one.kind == Kind::mass && !by_mass &&
-               std::ranges::find(options.uncertain, one) == options.uncertain.end();
-    });
     on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
     Identification result = identify_all(
         net, epochs, on_site,

@@ -245,7 +245,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
         result.length_covariance =
             covariance_of(wanted.covariance_of, fitted, observations, trend, result);
     }
-    predict_form(result, net, survey, fitted.iterate.form);
+    predict_form(result, net, survey, fitted.iterate.form, given.test_loads);
     set_stretch_means(result, net);
     result.method = "map";
     return epoch;

@@ -354,8 +354,11 @@ std::vector<DisplacedSupport> displaced_supports(const CableNet& net,
 }
 
 ModelPerturbation perturbation_of(const CableNet& net,
-                                  const std::vector<ParameterEstimate>& uncertain) {
+                                  const std::vector<ParameterEstimate>& uncertain,
+                                  const Points& test_loads) {
     ModelPerturbation result = unperturbed(net);
+    const bool is_mass_uncertain = std::ranges::any_of(
+        uncertain, [](const auto& one) { return one.parameter.kind == Kind::mass; });
     for (const ParameterEstimate& estimate : uncertain) {
         const double mean = estimate.mean;
         switch (estimate.parameter.kind) {
@@ -395,6 +398,12 @@ ModelPerturbation perturbation_of(const CableNet& net,
             }
             case Kind::loads:
                 result.loads = mean;
+                if (is_mass_uncertain) {
+                    result.own_loads -= mean * self_weight(net);  // has that of the mass
+                }
+                if (test_loads.cols() > 0) {
+                    result.own_loads -= mean * test_loads;  // have their own
+                }
                 break;
             case Kind::loads_each:
                 result.own_loads(estimate.axis, estimate.node) += mean;
@@ -403,8 +412,12 @@ ModelPerturbation perturbation_of(const CableNet& net,
                 result.sag = mean;
                 result.own_loads += mean * self_weight(net);
                 break;
-            case Kind::forces:
             case Kind::test_loads:
+                if (test_loads.cols() > 0) {
+                    result.own_loads += mean * test_loads;
+                }
+                break;
+            case Kind::forces:
                 break;  // an error of measurements, not of the net
         }
     }

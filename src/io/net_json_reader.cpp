@@ -137,6 +137,28 @@ std::vector<T> read_words(const std::optional<JsonValue>& list,
     return values;
 }
 
+/// A word for each edge, or one for all.
+std::vector<CableEnds> read_cable_ends(const std::optional<JsonValue>& value, size_t edges) {
+    const auto read = [](const JsonValue& word) {
+        const std::optional<CableEnds> ends = cable_ends_named(word.text());
+        if (!ends) {
+            word.fail(fmt::format(R"(is {}, expected "hinged", "fixed" or "unknown")",
+                                  quote(word.text())));
+        }
+        return *ends;
+    };
+    std::vector<CableEnds> result;
+    if (value && value->json().is_string()) {
+        result.assign(edges, read(*value));
+    } else if (value) {
+        const size_t count = value->array_size("a word, or an array of one for each edge");
+        for (size_t i = 0; i < count; ++i) {
+            result.push_back(read(value->at(i)));
+        }
+    }
+    return result;
+}
+
 /// A number or null for each edge, or one number for all struts.
 Eigen::VectorXd read_buckling_loads(const std::optional<JsonValue>& value,
                                     const CableNetData& data) {
@@ -372,6 +394,7 @@ CableNetData read_data(const JsonValue& root) {
     data.expansion = read_rates(root.find("expansion"), data.edges.size());
     data.breaking_load = read_rates(root.find("breaking_load"), data.edges.size());
     data.bending_stiffness = read_rates(root.find("bending_stiffness"), data.edges.size());
+    data.cable_ends = read_cable_ends(root.find("cable_ends"), data.edges.size());
     data.thread =
         read_words<Thread>(root.find("thread"), {"right", Thread::right}, {"left", Thread::left});
     data.runs = read_runs(root.find("runs"));

@@ -224,6 +224,12 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
             add(key, one_or_all(*rates));
         }
     }
+    if (const auto& ends = data.cable_ends;
+        !std::ranges::all_of(ends, [](CableEnds one) { return one == CableEnds::unknown; })) {
+        const auto word = [](CableEnds one) { return text_text(to_string(one)); };
+        const bool are_alike = std::ranges::count(ends, ends[0]) == std::ssize(ends);
+        add("cable_ends", are_alike ? word(ends[0]) : wrapped(ends, word));
+    }
     if (net.has_struts()) {
         add("kind", wrapped(data.kind, [](EdgeKind kind) {
                 return std::string(kind == EdgeKind::strut ? R"("strut")" : R"("cable")");

@@ -12,7 +12,7 @@ inline constexpr std::string_view net_format = "taut-net";
 inline constexpr int net_version = 1;
 
 /// The keys that the native net format gives a meaning.
-inline constexpr std::array<std::string_view, 27> net_keys{"format",
+inline constexpr std::array<std::string_view, 28> net_keys{"format",
                                                            "version",
                                                            "name",
                                                            "nodes",
@@ -31,6 +31,7 @@ inline constexpr std::array<std::string_view, 27> net_keys{"format",
                                                            "expansion",
                                                            "breaking_load",
                                                            "bending_stiffness",
+                                                           "cable_ends",
                                                            "thread",
                                                            "runs",
                                                            "support_stiffness",

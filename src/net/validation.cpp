@@ -511,6 +511,10 @@ void validate(const CableNetData& data) {
     check_runs(data);
     check_rates("mass", data.mass, data.edges.size(), 0.0);
     check_rates("bending_stiffness", data.bending_stiffness, data.edges.size(), 0.0);
+    if (!data.cable_ends.empty()) {
+        check_entry_count("cable_ends", static_cast<Eigen::Index>(data.cable_ends.size()),
+                          static_cast<Eigen::Index>(data.edges.size()), "edge");
+    }
     check_rates("expansion", data.expansion, data.edges.size(),
                 std::numeric_limits<double>::lowest());
     if (data.breaking_load.size() > 0) {

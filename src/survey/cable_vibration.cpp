@@ -75,10 +75,10 @@ VibratingCable vibrating_cable(const CableNet& net, const Points& form, int edge
 double tension_of_frequency(const VibratingCable& cable, double frequency, int mode,
                             CableEnds ends) {
     if (!(frequency > 0.0) || !(cable.length > 0.0) || !(cable.mass > 0.0) ||
-        !(cable.bending_stiffness >= 0.0) || mode < 1) {
+        !(cable.bending_stiffness >= 0.0) || mode < 1 || ends == CableEnds::unknown) {
         throw std::invalid_argument(fmt::format(
             "a cable of {} m, {} kg/m and EI {} N m2 with {} Hz in mode {}, expected positive "
-            "numbers",
+            "numbers, and ends that are hinged or fixed",
             cable.length, cable.mass, cable.bending_stiffness, frequency, mode));
     }
     const double l = cable.length;
@@ -122,8 +122,12 @@ ForceMeasurement tension_of_cable(const CableNet& net, const VibratingCable& cab
         return tension_of_frequency({length, mass, bending_stiffness}, measured.frequency,
                                     measured.mode, ends);
     };
-    const Range of_ends{.least = tension(given > 0.0 ? given : 0.5 * of_bar, CableEnds::fixed),
-                        .most = tension(given, CableEnds::hinged)};
+    const CableEnds ends =
+        net.data().cable_ends.empty() ? CableEnds::unknown : net.data().cable_ends[edge];
+    const Range of_ends{
+        .least = tension(given > 0.0 ? given : 0.5 * of_bar,
+                         ends == CableEnds::hinged ? ends : CableEnds::fixed),
+        .most = tension(given, ends == CableEnds::fixed ? ends : CableEnds::hinged)};
     if (!(of_ends.middle() > 0.0)) {
         refuse_frequency(
             net, edge,

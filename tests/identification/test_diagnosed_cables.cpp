@@ -287,6 +287,33 @@ TEST(Diagnostics, KnowTensionsByTheWeightNoBetterThanTheMass) {
     EXPECT_GT(mass->std, 0.8 * mass->prior_std);
 }
 
+/// Nor do frequencies: those of a heavier cable under more tension are the same.
+TEST(Diagnostics, KnowTheMassNoBetterByFrequencies) {
+    const CableNet given = heavy_net();
+    CableNetData data = given.data();
+    data.mass *= 1.05;
+    data.sag_weight *= 1.05;
+    const CableNet heavier(data);
+    const SimulatedSurvey built = heavy_survey(heavier);
+    const Eigen::VectorXd truth =
+        tensions(heavier, built.truth.unstressed_lengths, built.truth.form);
+    IdentifyOptions options{.prior = heavy_tolerance, .assume_site = true, .draws = 0};
+    for (const int edge : {3, 7, 12, 20}) {
+        const double tension = truth(edge) / 1.05;
+        options.forces.measurements.push_back({.edge = edge,
+                                               .tension = tension,
+                                               .std = 0.01 * tension,
+                                               .source = ForceSource::frequency});
+    }
+    const Identification result = identify(given, built.survey, options);
+    const auto mass =
+        std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
+                          [](const ParameterEstimate& one) { return one.parameter.kind; });
+    ASSERT_NE(mass, result.uncertain.end());
+    EXPECT_GT(mass->std, 0.8 * mass->prior_std);
+    EXPECT_EQ(result.trust.verdict(), Verdict::passed);
+}
+
 /// The long cables at the edge, whose lengths are set.
 TEST(Diagnostics, NameTheSagOfAdjustableEdges) {
     CableNetData data = heavy_net().data();

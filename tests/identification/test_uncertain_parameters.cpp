@@ -100,6 +100,28 @@ INSTANTIATE_TEST_SUITE_P(
                     uncertain({"stiffness:5%", "supports:1mm", "temperature:15K",
                                "adjustable:0.5mm", "loads:20N"})));
 
+/// The weight has the error of the mass, known loads have theirs, and all others that of loads.
+TEST(Perturbation, GivesEachLoadOneError) {
+    CableNetData data = loaded_net().data();
+    data.mass = Eigen::VectorXd::Constant(std::ssize(data.edges), 2.0);
+    const Points others = data.loads;
+    Points known = Points::Zero(3, others.cols());
+    known(2, loaded_net().free_nodes()[3]) = -500.0;
+    data.loads += known;
+    const CableNet net(data);
+    const Points weight = net.loads() - data.loads;
+    std::vector<ParameterEstimate> estimates;
+    for (const char* given : {"loads:5%", "mass:3%", "test-loads:2%"}) {
+        estimates.push_back({.parameter = uncertain({given})[0]});
+    }
+    estimates[0].mean = 0.05;
+    estimates[1].mean = -0.02;
+    estimates[2].mean = 0.03;
+    const CableNet built =
+        net_under(net, perturbation_of(net, estimates, known), net.unstressed_lengths());
+    EXPECT_LT((built.loads() - 1.05 * others - 0.98 * weight - 1.03 * known).norm(), 1e-9);
+}
+
 TEST(Struts, AreIdentifiedWithTheCables) {
     const CableNet net = cable_dome();
     const auto given = uncertain({"stiffness:5%", "stiffness-each:5%", "adjustable:0.5mm"});

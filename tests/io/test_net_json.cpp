@@ -94,6 +94,8 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     data.breaking_load = Eigen::VectorXd::LinSpaced(edges, 1e4, 1e5 / 3.0);
     data.adjustable = {5, 0, 3};
     data.thread = {Thread::left, Thread::right, Thread::right};
+    data.cable_ends.assign(data.edges.size(), CableEnds::hinged);
+    data.cable_ends[3] = CableEnds::fixed;
     data.runs = {{.name = "warp \"1\"", .edges = {2, 0}}, {.name = "", .edges = {4}}};
     const CableNet net(data);
     // Sorted with their edges.
@@ -104,6 +106,7 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     CableNetData bare = data;
     bare.breaking_load.resize(0);
     bare.thread.clear();
+    bare.cable_ends.clear();
     bare.runs.clear();
     EXPECT_EQ(net.fingerprint(), CableNet(bare).fingerprint());
 }

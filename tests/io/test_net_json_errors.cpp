@@ -84,6 +84,8 @@ TEST(NetJsonErrors, AreAtTheJsonPointerOfTheValue) {
 /support_place | [null, [0, 0, 0]] | is given without "support_stiffness"
 /kind | ["strut", "beam"] | /kind/1: is 'beam', expected "cable" or "strut"
 /kind | ["strut"] | has 1 entries, expected 2, one for each edge
+/cable_ends | "clamped" | is 'clamped', expected "hinged", "fixed" or "unknown"
+/cable_ends | ["hinged"] | has 1 entries, expected 2, one for each edge
 /buckling_load | [null, 4e3] | is given, but no edge is a strut by "kind"
 /sag_weight | "weight" | is 'weight', expected "mass", one number, or an array of numbers
 /sag_weight | "mass" | is "mass", but the net has no "mass"

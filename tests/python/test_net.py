@@ -101,7 +101,12 @@ def test_struts_are_a_kind_of_edges(tmp_path):
         "unstressed_lengths": dome.unstressed_lengths,
         "kind": dome.kind,
     }
-    again = taut.CableNet(**settings, buckling_load=5e4)
+    assert dome.cable_ends == []
+    again = taut.CableNet(**settings, buckling_load=5e4, cable_ends="hinged")
+    assert again.cable_ends == len(dome.edges) * ["hinged"]
+    assert taut.CableNet.from_json(again.to_json()).cable_ends == again.cable_ends
+    with pytest.raises(ValueError, match="cable_ends: got 'pinned'"):
+        taut.CableNet(**settings, cable_ends="pinned")
     assert again.fingerprint == dome.fingerprint
     assert np.array_equal(again.buckling_load == 5e4, struts)
     again.save(tmp_path / "dome.json")

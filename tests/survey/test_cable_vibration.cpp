@@ -98,6 +98,26 @@ TEST(CableVibration, BendingAndEndsAreInTheErrorThatAllShare) {
     EXPECT_LT(stiff.tension, limp.tension);
 }
 
+TEST(CableVibration, KnownEndsAreNotInTheErrorThatAllShare) {
+    const auto shared = [](CableEnds ends, double bending_stiffness) {
+        CableNetData data = with_mass(0.1, bending_stiffness).data();
+        data.cable_ends.assign(data.edges.size(), ends);
+        const CableNet net(std::move(data));
+        return tension_by_frequency(net, net.nodes(),
+                                    {.edge = 2, .frequency = 50.0, .mode = 1, .std = 0.5}, 0.01);
+    };
+    const double length = span_of(with_mass(0.1), 2);
+    const VibratingCable cable{.length = length, .mass = 0.1, .bending_stiffness = 0.12};
+    const double unknown = shared(CableEnds::unknown, 0.12).shared_std;
+    for (const CableEnds ends : {CableEnds::hinged, CableEnds::fixed}) {
+        const ForceMeasurement known = shared(ends, 0.12);
+        EXPECT_NEAR(known.tension, tension_of_frequency(cable, 50.0, 1, ends),
+                    1e-3 * known.tension);  // the sag
+        EXPECT_LT(known.shared_std, 0.05 * unknown);
+        EXPECT_GT(shared(ends, 0.0).shared_std, 2.0 * known.shared_std) << "of the bending";
+    }
+}
+
 TEST(CableVibration, WhatIsNoStringIsRefused) {
     const auto expect_refused = [](const CableNet& net, const FrequencyMeasurement& measured,
                                    const char* message, double free_length_std = 0.01) {

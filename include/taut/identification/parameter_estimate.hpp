@@ -52,8 +52,10 @@ struct TAUT_CORE_EXPORT ParameterSpread {
 
 /// The means of estimates as a perturbation of their net.
 /// @param uncertain estimates of this net; edges, nodes and axes are not checked
+/// @param test_loads of the survey, among the net's loads (3 x n); 3 x 0: none [N]
 /// @throws std::out_of_range for a group that the net does not have
 [[nodiscard]] TAUT_CORE_EXPORT ModelPerturbation
-perturbation_of(const CableNet& net, const std::vector<ParameterEstimate>& uncertain);
+perturbation_of(const CableNet& net, const std::vector<ParameterEstimate>& uncertain,
+                const Points& test_loads = Points(3, 0));
 
 }  // namespace taut

@@ -28,7 +28,8 @@ struct NetFile {
 ///      "tension_law": [index or null, one an edge], "groups": {name: [edge...]},
 ///      "mass": [kg/m...] or one number, "expansion": [1/K...] or one number,
 ///      "breaking_load": [N...] or one number,
-///      "bending_stiffness": [N m2...] or one number, "thread": ["right" or "left", one an entry of
+///      "bending_stiffness": [N m2...] or one number, "cable_ends": ["hinged", "fixed" or
+///      "unknown", one an edge] or one of them, "thread": ["right" or "left", one an entry of
 ///      "adjustable"], "support_stiffness": [null, one number, [x, y, z] or a matrix of 3 x 3
 ///      [N/m], one a support] or one number, "support_place": [null or [x, y, z] [m], one a
 ///      support] or "balanced", "support_couplings": [[support, support, matrix of 3 x 3 [N/m]]...,

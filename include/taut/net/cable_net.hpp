@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "taut/export/core.hpp"
+#include "taut/net/cable_ends.hpp"
 #include "taut/net/tension_law.hpp"
 
 namespace taut {
@@ -122,6 +123,7 @@ struct CableNetData {
     Eigen::VectorXd expansion;          ///< m, thermal expansion coefficient; or none [1/K]
     Eigen::VectorXd breaking_load;      ///< m, > 0; or none [N]
     Eigen::VectorXd bending_stiffness;  ///< m, EI, for frequencies only; or none [N m2]
+    std::vector<CableEnds> cable_ends;  ///< m, for frequencies only; or none: all unknown
     std::vector<Thread> thread;         ///< one for each entry of `adjustable`; or none
     std::vector<CableRun> runs;         ///< or none: cable_runs() finds them
     std::vector<ElasticSupport> elastic_supports;  ///< none of them in `supports`; or none

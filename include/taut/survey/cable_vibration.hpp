@@ -10,9 +10,6 @@
 
 namespace taut {
 
-/// How the ends of a vibrating cable are held.
-enum class CableEnds { hinged, fixed };
-
 /// A straight cable that vibrates freely between its ends.
 struct VibratingCable {
     double length = 0.0;             ///< free to vibrate [m]
@@ -33,7 +30,7 @@ struct VibratingCable {
 /// @param mode number of half waves, from 1
 /// @return [N]; negative where the cable without tension vibrates faster
 /// @throws std::invalid_argument for a frequency, length or mass that is not positive, a negative
-///   bending stiffness, a mode below 1
+///   bending stiffness, a mode below 1, unknown ends
 [[nodiscard]] TAUT_CORE_EXPORT double tension_of_frequency(const VibratingCable& cable,
                                                            double frequency, int mode,
                                                            CableEnds ends);
@@ -49,10 +46,11 @@ struct FrequencyMeasurement {
 /// The force measurement that a natural frequency amounts to, with what is not known of the cable
 /// in its standard deviations:
 /// - its own: frequency and free length, which clamps shorten;
-/// - shared with all others: ends between hinged and fixed; the bending stiffness, if the net has
-///   none, between zero and half that of a solid bar with the same EA and mass, of steel; the sag,
-///   which stiffens the first mode in its plane (M. Irvine, Cable Structures, 1981). Each is half
-///   its range, over sqrt(3); the tension is that of the middle.
+/// - shared with all others: ends between hinged and fixed, if the net does not say which; the
+///   bending stiffness, if the net has none, between zero and half that of a solid bar with the
+///   same EA and mass, of steel; the sag, which stiffens the first mode in its plane (M. Irvine,
+///   Cable Structures, 1981). Each is half its range, over sqrt(3); the tension is that of the
+///   middle.
 /// The mass is that of the net. Its error is the uncertain parameter "mass".
 /// @param form in which the cable vibrates (3 x n) [m]
 /// @param free_length_std of its length [m]
