@@ -11,6 +11,7 @@
 #include <set>
 
 #include "identification/diagnostics.hpp"
+#include "taut/identification/epochs.hpp"
 #include "taut/net/cable_runs.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -312,6 +313,47 @@ TEST(Diagnostics, KnowTheMassNoBetterByFrequencies) {
     ASSERT_NE(mass, result.uncertain.end());
     EXPECT_GT(mass->std, 0.8 * mass->prior_std);
     EXPECT_EQ(result.trust.verdict(), Verdict::passed);
+}
+
+/// Nor do two surveys, of which the second is under a known load. They took the mass as exact.
+TEST(Diagnostics, KnowTheMassNoBetterByTwoSurveys) {
+    CableNetData data = heavy_net().data();
+    data.mass *= 0.1;
+    data.sag_weight *= 0.1;
+    data.nodes = solve_equilibrium(CableNet(data)).form;
+    const CableNet given(data);
+    data.mass *= 1.05;
+    data.sag_weight *= 1.05;
+    const CableNet heavier(data);
+    const SimulatedSurvey first = heavy_survey(heavier);
+    Epoch loaded{.survey = {}, .turned = {}, .loads = Points::Zero(3, given.node_count())};
+    loaded.loads(2, given.free_nodes()[12]) = -5e3;
+    data.loads = loaded.loads;
+    const CableNet under_load(data);
+    loaded.survey = surveyed_again(under_load, heavy_survey(under_load), 0.3e-3, 4);
+    const std::vector<Epoch> epochs{{.survey = first.survey, .turned = {}}, loaded};
+    const Identification result =
+        identify_epochs(given, epochs, {.prior = heavy_tolerance, .assume_site = true, .draws = 0});
+    EXPECT_EQ(result.trust.verdict(), Verdict::passed);
+    const auto mass =
+        std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
+                          [](const ParameterEstimate& one) { return one.parameter.kind; });
+    ASSERT_NE(mass, result.uncertain.end());
+    EXPECT_GT(mass->std, 0.5 * mass->prior_std);
+    EXPECT_NEAR(mass->mean, 0.05, 2.0 * mass->std);
+}
+
+/// What is estimated makes one net, and its form is that of the survey.
+TEST(Diagnostics, EstimatesByRefittedSamplesAreInBalance) {
+    const CableNet given = heavy_net();
+    CableNetData data = given.data();
+    data.mass *= 1.05;
+    data.sag_weight *= 1.05;
+    const SimulatedSurvey s = heavy_survey(CableNet(data));
+    const Identification result = identified_on_site(given, s.survey, heavy_tolerance, 100);
+    ASSERT_TRUE(result.draws && result.draws->is_refitted);
+    const auto coordinates = static_cast<double>(3 * result.residuals.size());
+    EXPECT_LT(std::sqrt(result.residuals.squaredNorm() / coordinates), 0.4e-3);
 }
 
 /// The long cables at the edge, whose lengths are set.
