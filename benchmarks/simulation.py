@@ -205,7 +205,7 @@ class Net:
         built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
         built["axial_stiffness"] = (self.stiffness * factor).tolist()
         if "tension_law" in built:
-            laws = [self.data["tension_laws"][law] for law in built["tension_law"]]
+            laws = [self.data["tension_laws"][law] for law in built["tension_law"]]  # all have one
             built["tension_laws"] = [dict(law, tension=(by * np.array(law["tension"])).tolist()) for law, by in zip(laws, factor)]
             built["tension_law"] = list(range(count))
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))

@@ -182,7 +182,6 @@ std::optional<BalancedDraw> balanced_draw(const DrawnPosterior& posterior, const
     }
     BalancedDraw result;
     result.deviations = found.deviations;
-    result.common = drawn.common;
     if (posterior.knowledge.uncertain.empty() && model.common.count() == 0) {
         if (!balance(solver, net, lengths, drawn.form, result)) {
             return std::nullopt;

@@ -20,7 +20,6 @@ struct BalancedDraw {
     Eigen::VectorXd tensions;    ///< of all edges (m) [N]
     /// What deviates from the net besides lengths, if anything can.
     std::optional<ModelPerturbation> perturbation;
-    Eigen::VectorXd common;  ///< Iterate::common
     /// Squared distance of form and measured tensions from those of the fit, in standard deviations
     /// of the observations.
     double squared_departure = 0.0;

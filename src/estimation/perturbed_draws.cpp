@@ -75,7 +75,6 @@ PerturbedDraws collected(const DrawnPosterior& posterior, const Draws& draws, bo
     PerturbedDraws result{.deviations = Eigen::MatrixXd(net.interior_edge_count(), count),
                           .forms = Eigen::MatrixXd(Eigen::Index{3} * net.free_node_count(), count),
                           .tensions = Eigen::MatrixXd(net.edge_count(), count),
-                          .common = Eigen::MatrixXd(posterior.fit.model().common.count(), count),
                           .is_refitted = is_refitted,
                           .left_out = static_cast<int>(std::ssize(draws) - count)};
     double squares = 0.0;
@@ -87,7 +86,6 @@ PerturbedDraws collected(const DrawnPosterior& posterior, const Draws& draws, bo
         result.deviations.col(k) = one->deviations;
         result.forms.col(k) = free_coordinates(net, one->form);
         result.tensions.col(k) = one->tensions;
-        result.common.col(k) = one->common;
         if (one->perturbation) {
             result.perturbations.push_back(*one->perturbation);
         }

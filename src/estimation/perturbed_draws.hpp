@@ -22,7 +22,6 @@ struct PerturbedDraws {
     Eigen::MatrixXd tensions;    ///< m x draws, of all edges [N]
     /// Deviations from the net besides lengths, one a draw; empty where there can be none.
     std::vector<ModelPerturbation> perturbations;
-    Eigen::MatrixXd common;    ///< Iterate::common x draws
     bool is_refitted = false;  ///< each by a fit of its own, not by the linearisation at the fit
     /// By how much all of them are moved off the fit, (determinant), where that is far (m_I): the
     /// estimates of the lengths must be, too; empty: not far [m].

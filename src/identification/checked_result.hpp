@@ -78,4 +78,9 @@ void test_elastic_supports(CheckedResult& of);
 void test_forces(CheckedResult& of);
 void test_uncertain(CheckedResult& of);
 
+/// (given-stiffness): adds where force measurements or known loads contradict the stiffness as
+/// given, with 95 %.
+/// @param by_loads which of both
+void add_given_stiffness(Trust& trust, const Identification& result, bool by_loads);
+
 }  // namespace taut

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/common_parameters.hpp"
 #include "estimation/perturbed_draws.hpp"
 #include "identification/stretch_lengths.hpp"
 #include "taut/estimation/length_posterior.hpp"
@@ -137,21 +136,43 @@ void set_open_edges(Identification& result, const std::vector<LengthPrior>& prio
     }
 }
 
+/// (drawn-means): whether the mean of refitted draws differs from the estimate by chance alone.
+class ByChance {
+public:
+    ByChance(const Eigen::MatrixXd& deviations, const Identification& result) {
+        constexpr double sure = 2.0;
+        const LengthShift shift = length_shift(deviations, result);
+        m_std = 1.0 / std::sqrt(static_cast<double>(deviations.cols()));
+        m_of_all = std::abs(shift.mean) <= sure * m_std && shift.rms <= sure * m_std;
+    }
+    [[nodiscard]] bool differs(const IdentifiedEdge& edge, double drawn) const {
+        constexpr double sure = 4.0;  // of many edges
+        return m_of_all && std::abs(drawn - edge.length_deviation) <= sure * m_std * edge.std;
+    }
+
+private:
+    double m_std;
+    bool m_of_all;
+};
+
 /// Sets the status of each interior edge, and its length where the draws are better than the
 /// linearisation.
 /// @param prior_stds of each interior edge (m_I) [m]
-/// @param keeps_means of the lengths, (drawn-means)
-void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds, bool keeps_means) {
+void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) {
     const Eigen::MatrixXd& deviations = result.draws->length_deviations;
+    const ByChance by_chance(deviations, result);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
         if (result.draws->is_refitted) {
             const Eigen::VectorXd drawn = deviations.row(static_cast<Eigen::Index>(i));
             const DrawnEstimate estimate = estimate_of(drawn);
-            edge.length_deviation = keeps_means ? edge.length_deviation : estimate.mean;
+            const double shift = by_chance.differs(edge, estimate.mean)
+                                     ? edge.length_deviation - estimate.mean
+                                     : 0.0;
+            edge.length_deviation = estimate.mean + shift;
             edge.std = estimate.std;
-            edge.lower = std::min(estimate.lower, edge.length_deviation);
-            edge.upper = std::max(estimate.upper, edge.length_deviation);
+            edge.lower = std::min(estimate.lower + shift, edge.length_deviation);
+            edge.upper = std::max(estimate.upper + shift, edge.length_deviation);
         }
         const double slack = result.drawn.tensions[edge.edge].slack_probability;
         edge.status = status_of(prior_stds(static_cast<Eigen::Index>(i)),
@@ -177,61 +198,6 @@ void move_lengths(Identification& result, const Eigen::VectorXd& shift,
     }
 }
 
-/// (drawn-means): where the lengths are the means of draws, so must be what was estimated with
-/// them, or they do not make one net.
-/// @param drawn is_refitted
-void set_drawn_parameters(Identification& result, const CableNet& net,
-                          const PerturbedDraws& drawn) {
-    const auto draws = static_cast<double>(drawn.perturbations.size());
-    if (drawn.perturbations.empty() || result.uncertain.empty()) {
-        return;
-    }
-    using Kind = UncertainParameter::Kind;
-    const Eigen::VectorXd common = drawn.common.rowwise().mean();
-    std::vector<ParameterEstimate> shared;
-    for (ParameterEstimate& one : result.uncertain) {
-        if (is_common(one.parameter)) {
-            one.mean = one.parameter.std * common(std::ssize(shared));
-            shared.push_back(one);
-        }
-    }
-    // All draws' means, less what is shared, are those of single edges and nodes.
-    ModelPerturbation own = perturbation_of(net, shared);
-    own.stiffness = -own.stiffness;
-    own.own_loads = -own.own_loads - own.loads * net.loads();
-    for (const ModelPerturbation& one : drawn.perturbations) {
-        own.stiffness += one.stiffness / draws;
-        own.supports += one.supports / draws;
-        own.own_loads += (one.own_loads + one.loads * net.loads()) / draws;
-    }
-    const Eigen::MatrixXd& adjustable = result.draws->adjustable_deviations;
-    for (ParameterEstimate& one : result.uncertain) {
-        if (one.parameter.kind == Kind::stiffness_each) {
-            one.mean = own.stiffness(one.edge);
-        } else if (one.parameter.kind == Kind::supports &&
-                   std::ranges::binary_search(net.supports(), one.node)) {
-            one.mean = own.supports(one.axis, one.node);
-        } else if (one.parameter.kind == Kind::adjustable && adjustable.cols() > 0) {
-            const auto at = std::ranges::lower_bound(net.adjustable_edges(), one.edge);
-            one.mean = adjustable.row(at - net.adjustable_edges().begin()).mean();
-        } else if (one.parameter.kind == Kind::loads_each && net.elastic_supports().empty()) {
-            one.mean = own.own_loads(one.axis, one.node);
-        }
-    }
-    // Lengths of draws are those under the sag of the net's mass.
-    for (IdentifiedEdge& edge : result.edges) {
-        const TensionLaw* law = net.tension_law(edge.edge);
-        if (const double sag = own.sag; sag != 0.0 && law != nullptr && law->sags()) {
-            const double tension = result.drawn.tensions[edge.edge].tension.mean;
-            const double longer = (edge.nominal + edge.length_deviation) *
-                                  std::pow(law->sag / tension, 2) * sag * (2.0 + sag);
-            for (double* const value : {&edge.length_deviation, &edge.lower, &edge.upper}) {
-                *value += longer;
-            }
-        }
-    }
-}
-
 /// Replaces the linearised covariances of the free nodes' places.
 void set_drawn_covariances(Identification& result, const CableNet& net) {
     // Fewer draws show an axis of an ellipse to an eighth at best.
@@ -250,10 +216,10 @@ void set_drawn_covariances(Identification& result, const CableNet& net) {
 
 /// Sets what follows from reliable draws.
 void summarise(Identification& result, const CableNet& net, const Survey& survey,
-               const Eigen::VectorXd& prior_stds, bool keeps_means) {
+               const Eigen::VectorXd& prior_stds) {
     result.drawn = summary_of(*result.draws, net, survey.missing);
     set_drawn_covariances(result, net);
-    set_drawn_edges(result, prior_stds, keeps_means);
+    set_drawn_edges(result, prior_stds);
 }
 
 }  // namespace
@@ -327,10 +293,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     }
     Eigen::VectorXd prior_stds(std::ssize(priors));
     std::ranges::transform(priors, prior_stds.begin(), &LengthPrior::std);
-    summarise(result, net, survey, prior_stds, false);
-    if (drawn.is_refitted) {
-        set_drawn_parameters(result, net, drawn);
-    }
+    summarise(result, net, survey, prior_stds);
 }
 
 void set_summary_of_draws(Identification& result, const CableNet& net, const Survey& survey,
@@ -341,7 +304,7 @@ void set_summary_of_draws(Identification& result, const CableNet& net, const Sur
         std::ranges::transform(result.edges, before.begin(), [&](const IdentifiedEdge& one) {
             return std_before(result, one.edge, prior_std);
         });
-        summarise(result, net, survey, before, true);
+        summarise(result, net, survey, before);
     } else {
         result.form_covariance.clear();
     }

@@ -14,6 +14,7 @@
 
 #include "estimation/hyperprior.hpp"
 #include "identification/assumptions.hpp"
+#include "identification/checked_result.hpp"
 #include "identification/epoch_chain.hpp"
 #include "identification/epoch_checks.hpp"
 #include "identification/epoch_findings.hpp"
@@ -380,6 +381,11 @@ Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
     Identification& result = together.result;
     describe(result, all, together.is_mixture);
     result.trust = trust_of_epochs(net, result.epochs, comparison.changes);
+    const bool is_loaded = std::ranges::any_of(epochs, &Epoch::is_loaded);
+    if (is_loaded && result.force_measurements == 0 &&
+        result.status == IdentificationStatus::converged) {
+        add_given_stiffness(together.trust, result, true);
+    }
     std::ranges::move(together.trust.findings, std::back_inserter(result.trust.findings));
     std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::severity);
     return std::move(together.result);

@@ -41,6 +41,12 @@ std::string source_hint(const ForceOutlier& outlier) {
                : "Check its mode, mass and free length.";
 }
 
+bool is_estimated(const Identification& result, UncertainParameter::Kind kind) {
+    return std::ranges::any_of(result.uncertain, [kind](const ParameterEstimate& one) {
+        return one.parameter.kind == kind;
+    });
+}
+
 }  // namespace
 
 void test_forces(CheckedResult& of) {
@@ -69,6 +75,10 @@ void test_forces(CheckedResult& of) {
                 .next = "Check their unit and calibration."});
         return;
     }
+    if (of.result.force_measurements > std::ssize(of.result.force_outliers) &&
+        !is_estimated(of.result, UncertainParameter::Kind::test_loads)) {
+        add_given_stiffness(of.trust, of.result, false);
+    }
     for (const ForceOutlier& outlier : of.result.force_outliers) {
         of.add({.kind = FindingKind::force_measurement,
                 .ids = {of.net.edge_id(outlier.edge)},
@@ -81,6 +91,47 @@ void test_forces(CheckedResult& of) {
                                       of.net.edge_id(outlier.edge), 1e-3 * outlier.measured,
                                       1e-3 * outlier.expected),
                 .next = source_hint(outlier)});
+    }
+}
+
+void add_given_stiffness(Trust& trust, const Identification& result, bool by_loads) {
+    constexpr double largest = 1.96;
+    constexpr double informed = 0.98;  // of the prior standard deviation
+    using Kind = UncertainParameter::Kind;
+    std::vector<std::string> others;
+    for (const Kind kind : {Kind::forces, Kind::mass, Kind::loads, Kind::test_loads}) {
+        if (is_estimated(result, kind)) {
+            others.emplace_back(UncertainParameter{.kind = kind}.name());
+        }
+    }
+    for (const ParameterEstimate& one : result.uncertain) {
+        if (one.parameter.kind != Kind::stiffness || !(one.std < informed * one.prior_std)) {
+            continue;
+        }
+        // What is shown without the prior of the stiffness.
+        const double information = std::pow(one.std, -2) - std::pow(one.prior_std, -2);
+        const double shown = one.mean * std::pow(one.std, -2) / information;
+        if (std::abs(shown) * std::sqrt(information) < largest) {
+            continue;
+        }
+        const std::string& group = one.parameter.group;
+        trust.findings.push_back(
+            {.kind = FindingKind::given_stiffness,
+             .ids = {std::string(one.parameter.name()) + (group.empty() ? "" : "@" + group)},
+             .value = shown,
+             .std = 1.0 / std::sqrt(information),
+             .confounded_with = others,
+             .reason = fmt::format(
+                 "The {} contradict the given stiffness{}: with the form they show cables {:.1f} "
+                 "+- {:.1f} % {}. taut trusts them.",
+                 by_loads ? "known loads" : "force measurements",
+                 group.empty() ? "" : " of " + group, 1e2 * std::abs(shown),
+                 1e2 / std::sqrt(information), shown > 0.0 ? "stiffer" : "softer"),
+             .next = by_loads
+                         ? "All of them may be wrong by as much instead. Force measurements "
+                           "would tell."
+                         : "All of them may be wrong by as much instead (calibration, or mass): "
+                           "one survey cannot tell. A second one under a known load can."});
     }
 }
 

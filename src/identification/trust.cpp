@@ -60,6 +60,7 @@ constexpr std::pair<FindingKind, std::string_view> kind_names[] = {
     {FindingKind::predicted_form, "predicted_form"},
     {FindingKind::slack_marks, "slack_marks"},
     {FindingKind::force_scale, "force_scale"},
+    {FindingKind::given_stiffness, "given_stiffness"},
     {FindingKind::force_measurement, "force_measurement"},
     {FindingKind::uncertain_parameter, "uncertain_parameter"},
     {FindingKind::tensions, "tensions"},

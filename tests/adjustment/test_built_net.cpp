@@ -81,6 +81,20 @@ TEST(BuiltNet, HasTheSamplesOfAllThatIsUncertain) {
         net, identified(net, s.survey, with_site_assumptions(net, uncertain({"loads:10%"}))));
 }
 
+TEST(BuiltNet, HasTheSamplesOfAnUncertainWeightAndSag) {
+    CableNetData data = site_net().data();
+    data.nodes *= 100.0;
+    data.unstressed_lengths *= 100.0;
+    data.mass = Eigen::VectorXd::Constant(std::ssize(data.edges), 0.5);
+    data.sag_weight = sag_weights_by_mass(data);
+    data.nodes = solve_equilibrium(CableNet(data)).form;
+    const CableNet net(data);
+    data.mass *= 1.05;
+    data.sag_weight *= 1.05;
+    const test::SimulatedSurvey s = test::simulate(CableNet(data), prior, noise, 3);
+    expect_same_samples(net, identified(net, s.survey, uncertain({"mass:3%", "loads:10%"})));
+}
+
 TEST(BuiltNet, HasTheSamplesOfElasticSupports) {
     const CableNet net = test::on_springs(site_net());
     const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);

@@ -169,6 +169,42 @@ TEST(ForceBias, IsFoundFromTheSizeThatIsNamed) {
     EXPECT_NEAR(found, 0.8 * surveys, 0.2 * surveys);
 }
 
+// Five cells that contradict the stiffness are trusted. That they may be wrong instead is named.
+TEST(ForceBias, ThatIsTakenForStiffnessIsNamed) {
+    const CableNet net = hypar(6, 6);
+    constexpr double relative_std = 0.01;
+    constexpr int surveys = 20;
+    const auto are_named = [&](std::uint64_t seed, double off) {
+        const Built truth = built(net, {}, seed);
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal(1.0 + off, relative_std);
+        IdentifyOptions options = options_with(uncertain({"stiffness:5%", "forces:1%"}));
+        for (const int edge : {3, 17, 30, 41, 50}) {
+            const double tension = truth.tensions(edge) * normal(random);
+            options.forces.measurements.push_back(
+                {.edge = edge, .tension = tension, .std = relative_std * tension});
+        }
+        const Identification result = identify(net, truth.simulated.survey, options);
+        const auto found = std::ranges::find(
+            result.trust.findings, Trust::Finding::Kind::given_stiffness, &Trust::Finding::kind);
+        if (found == result.trust.findings.end()) {
+            return false;
+        }
+        EXPECT_EQ(found->ids, std::vector<std::string>{"stiffness"});
+        EXPECT_EQ(found->confounded_with, std::vector<std::string>{"forces"});
+        EXPECT_NEAR(found->value.value(), off, 4.0 * found->std.value());
+        return true;
+    };
+    int found = 0;
+    int false_alarms = 0;
+    for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
+        found += are_named(seed, 0.15) ? 1 : 0;
+        false_alarms += are_named(seed, 0.0) ? 1 : 0;
+    }
+    EXPECT_LE(false_alarms, 4);  // one is expected
+    EXPECT_GE(found, 0.7 * surveys);
+}
+
 TEST_F(ForceMeasurements, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
     for (const double factor : {0.1, 0.7, 1.3}) {
         Forces forces;

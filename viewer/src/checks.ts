@@ -44,6 +44,7 @@ const kinds: Record<Finding["kind"], { name: string; of?: "edge" | "node"; scale
   predicted_form: { name: "Predicted form", scale: mm },
   slack_marks: { name: "Marks of slack and taut edges", of: "edge" },
   force_scale: { name: "Scale of the force measurements", scale: percent },
+  given_stiffness: { name: "Given stiffness", scale: percent },
   force_measurement: { name: "Force measurement", of: "edge", scale: { unit: "kN", factor: 1e-3 } },
   uncertain_parameter: { name: "Uncertain parameter", scale: { unit: "times the assumed std", factor: 1 } },
   tensions: { name: "Tensions" },

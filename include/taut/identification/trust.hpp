@@ -57,6 +57,7 @@ struct TAUT_CORE_EXPORT Trust {
             slack_marks,           ///< edges marked slack or taut that are not
             force_scale,           ///< of all force measurements over what is expected, less 1
             force_measurement,     ///< measured less expected [N]
+            given_stiffness,       ///< relative change of EA that forces or known loads show
             uncertain_parameter,   ///< standard deviation found over the one assumed
             tensions,              ///< they are not reported
             length_change,         ///< of an edge between two surveys [m]
