@@ -30,11 +30,11 @@ EVIDENCE = {
 EVERY = [evidence for evidence in EVIDENCE if evidence != "5 sags"]
 
 # kind, net, its size, factor of its stiffness at the same tensions, prior, noise, error of a free length, surveys, kinds of evidence.
-# Cables of the slack net are 13 m long and sag by 8 mm, those of the others by less than half a millimetre.
+# Cables of the long net are 13 m long and sag by 8 mm, those of the others by less than half a millimetre.
 CASES = [
     ("soft", "hypar:9x9", 10, 1, "uniform:5mm", "0.5mm", "5mm", 50, EVERY),
     ("stiff", "hypar:9x9", 10, 5, "uniform:2mm", "0.5mm", "5mm", 50, EVERY),
-    ("slack", "hypar:9x9", 100, 20, "uniform:20mm", "1mm", "10mm", 50, EVERY + ["5 sags"]),
+    ("long", "hypar:9x9", 100, 20, "uniform:20mm", "1mm", "10mm", 50, EVERY + ["5 sags"]),
     ("steel roof", "steel-roof", 1, 1, "uniform:2mm", "0.5mm", "5mm", 50, ["form", "5 frequencies", "5 frequencies, weighed cable, ends known"]),
 ]
 SITE = ["stiffness-each:2%", "temperature:5K", "supports:1mm", "adjustable:0.5mm"]
