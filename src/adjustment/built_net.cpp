@@ -76,7 +76,8 @@ ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& tu
     result.supports(Eigen::all, nodes) = (turned.nodes() - identified.nodes())(Eigen::all, nodes);
     result.own_loads = turned.loads() - identified.loads();
     if (const double identified_sag = identified.data().sag_weight.sum(); identified_sag > 0.0) {
-        result.sag = turned.data().sag_weight.sum() / identified_sag - 1.0;  // one factor, of the mass
+        result.sag =
+            turned.data().sag_weight.sum() / identified_sag - 1.0;  // one factor, of the mass
     }
     for (size_t k = 0; k < turned.elastic_supports().size(); ++k) {
         const ElasticSupport& as_turned = turned.elastic_supports()[k];
