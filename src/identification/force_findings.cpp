@@ -130,8 +130,9 @@ void add_given_stiffness(Trust& trust, const Identification& result, bool by_loa
              .next = by_loads
                          ? "All of them may be wrong by as much instead. Force measurements "
                            "would tell."
-                         : "All of them may be wrong by as much instead (calibration, or mass): "
-                           "one survey cannot tell. A second one under a known load can."});
+                         : "All of them may be wrong by as much instead (calibration, mass, or "
+                           "cable_ends): one survey cannot tell. A second one under a known load "
+                           "can."});
     }
 }
 

@@ -224,8 +224,7 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
             add(key, one_or_all(*rates));
         }
     }
-    if (const auto& ends = data.cable_ends;
-        !std::ranges::all_of(ends, [](CableEnds one) { return one == CableEnds::unknown; })) {
+    if (const auto& ends = data.cable_ends; !ends.empty()) {
         const auto word = [](CableEnds one) { return text_text(to_string(one)); };
         const bool are_alike = std::ranges::count(ends, ends[0]) == std::ssize(ends);
         add("cable_ends", are_alike ? word(ends[0]) : wrapped(ends, word));
