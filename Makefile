@@ -39,9 +39,9 @@ app: ## build the program as one page for browsers, build/app/taut.html
 	scripts/install_dependencies.sh build python
 	scripts/app.sh
 
-wheel: app ## build the Python package's wheel, with all libraries in it, in build/python/wheels
+wheel: app ## build wheels of the Python package for other machines, with all libraries in them, in build/python/wheels
 	scripts/install_dependencies.sh build python
-	scripts/python.sh wheel
+	scripts/wheels.sh
 
 examples: ## build and run the examples
 	scripts/install_dependencies.sh build examples

@@ -47,7 +47,7 @@ if(TAUT_HAS_CLARABEL)
     add_custom_target(taut_clarabel_c DEPENDS ${library})
     # Rust compiles its own symbols to be seen: the linker must not pass them on.
     set(TAUT_HIDE_CLARABEL)
-    if(NOT APPLE AND NOT TAUT_CARGO_TARGET)
+    if(TAUT_LINKER_EXCLUDES)
         set(TAUT_HIDE_CLARABEL LINKER:--exclude-libs,libclarabel_c.a)
     endif()
     add_library(taut::clarabel_c STATIC IMPORTED GLOBAL)

@@ -41,7 +41,7 @@ function(taut_add_library component)
         EXPORT_FILE_NAME ${header})
     if(NOT BUILD_SHARED_LIBS)
         target_compile_definitions(${target} PUBLIC TAUT_${name}_STATIC_DEFINE)
-        if(NOT APPLE AND NOT CMAKE_SYSTEM_NAME STREQUAL "WASI")  # what templates of others make of types of ours is not hidden by the compiler
+        if(TAUT_LINKER_EXCLUDES)  # what templates of others make of types of ours is not hidden by the compiler
             target_link_options(${target} INTERFACE LINKER:--exclude-libs,lib${target}.a)
         endif()
     endif()

@@ -11,28 +11,19 @@ import shutil
 import sys
 from pathlib import Path
 
-from wheel_licences import Notices, add_crates, licence_files, owners, text_of
-
-# A header of each package of Debian that scripts/app.sh takes headers from. pugixml's source comes from
-# elsewhere, under the licence that Debian has of it. Boost's asks for nothing of what a compiler made.
-HEADERS = (
-    "CLI/CLI.hpp",
-    "eigen3/Eigen/Core",
-    "fast_float/fast_float.h",
-    "fmt/core.h",
-    "minizip/zip.h",
-    "nlohmann/json.hpp",
-    "pugixml.hpp",
-    "valijson/validator.hpp",
-    "zlib.h",
+from wheel_licences import (
+    HEADERS,
+    Notices,
+    add_crates,
+    add_debian_libraries,
+    licence_files,
+    text_of,
 )
 
 
 def main(zig, hdf5, rust, output):
     notices = Notices()
-    found = owners(*(f"/usr/include/{header}" for header in HEADERS))
-    for header in HEADERS:
-        notices.add_debian(header, found[f"/usr/include/{header}"])
+    add_debian_libraries(notices, HEADERS)
     notices.add("library", "libc++", text_of([zig / "lib/libcxx/LICENSE.TXT"]))
     notices.add("library", "wasi-libc", text_of(licence_files(zig / "lib/libc/wasi")))
     notices.add("library", "HDF5", text_of(licence_files(hdf5 / "installed/share")))

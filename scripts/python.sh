@@ -5,18 +5,16 @@
 # The Python package.
 #   build   a wheel for this machine, in build/python/dist: out of build/release, where `make build`
 #           and `make test` have built the libraries
-#   wheel   a wheel for other machines, in build/python/wheels, with all libraries in it and their
-#           licences: out of build/wheel, with an HDF5 of its own
 #   test    a wheel for this machine, installed into an environment of its own, and its tests there;
 #           the notebooks as they ran go into build/python/notebooks
 #   lint    format and names of all Python sources, by ruff
-# Usage: scripts/python.sh build|wheel|test|lint [argument of pytest]...
+# Usage: scripts/python.sh build|test|lint [argument of pytest]...
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 task="${1:-}"
-if [[ ! "$task" =~ ^(build|wheel|test|lint)$ ]]; then
-    echo "python.sh: got '$task', expected build, wheel, test or lint" >&2
+if [[ ! "$task" =~ ^(build|test|lint)$ ]]; then
+    echo "python.sh: got '$task', expected build, test or lint" >&2
     exit 2
 fi
 shift
@@ -45,17 +43,6 @@ build_wheel() {
         exit 1
     fi
 }
-
-if [[ "$task" == wheel ]]; then
-    packaging/hdf5/build.sh
-    PKG_CONFIG_PATH="$PWD/build/hdf5/installed/lib/pkgconfig" build_wheel build/wheel \
-        -C cmake.define.TAUT_BUILD_VIEWER=ON -C cmake.define.TAUT_WITH_CLARABEL=ON -C cmake.define.TAUT_WITH_METIS=ON
-    rm -rf "$into/wheels"
-    PATH="$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$into/wheels" "$into"/dist/taut-*.whl
-    "$tools/python" scripts/wheel_licences.py "$into"/wheels/taut-*.whl build/wheel
-    ls -lh "$into"/wheels/*.whl
-    exit 0
-fi
 
 # As `make build` does, so that what is built here need not be built again.
 [[ -f build/release/build.ninja ]] ||

@@ -7,8 +7,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/venv.sh uv
-for name in uv app build lint docs test; do
-    options=(--quiet --upgrade --universal --python-version 3.11 --no-annotate --no-header)
+for name in uv app build wheel lint docs test; do
+    oldest=3.11
+    [[ "$name" != build ]] || oldest=3.9  # of the wheels
+    options=(--quiet --upgrade --universal --python-version "$oldest" --no-annotate --no-header)
     [[ "$name" =~ ^(docs|test)$ ]] || options+=(--generate-hashes)
     sources=("scripts/requirements/$name.in")
     [[ "$name" != test ]] || sources+=(pyproject.toml --extra test)

@@ -3,15 +3,15 @@
 # SPDX-License-Identifier: MIT
 """Puts the licences of all foreign code in a wheel into it, and checks that each library has one.
 
-Whose code that is comes from the build: the libraries that auditwheel brought along, the headers
-that the compiler read, and the crates of the conic solver. A licence that is not found is an error.
+Whose code that is comes from the build: the library that auditwheel brought along, the headers that the
+compiler read, and the crates of the conic solver. A licence that is not found is an error.
 
-Usage: wheel_licences.py WHEEL BUILD   adds those of the build folder BUILD, and checks
-       wheel_licences.py WHEEL         checks
+Usage: wheel_licences.py WHEEL BUILD ZIGLANG ROOT HDF5   adds those of the build folder BUILD with these parts
+                                                         (scripts/wheels.sh), and checks
+       wheel_licences.py WHEEL                           checks
 """
 
 import email
-import hashlib
 import html
 import json
 import re
@@ -26,14 +26,21 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDER = "third-party"
 # What may come along. Another library is a decision: in a wheel it ages without the updates of the
 # system. Debian's HDF5, for one, would bring a network stack.
-LIBRARIES = re.compile(
-    r"lib(fmt|gfortran|metis|minizip|nlopt|openblas|pugixml|quadmath|tbb)\b|libopenblasp"
+LIBRARIES = re.compile(r"libscipy_openblas\b")
+# A header of each package of Debian whose headers or sources are compiled in. pugixml's source comes from
+# elsewhere, under the licence that Debian has of it. Boost's asks for nothing of what a compiler made.
+HEADERS = (
+    "CLI/CLI.hpp",
+    "eigen3/Eigen/Core",
+    "fast_float/fast_float.h",
+    "fmt/core.h",
+    "minizip/zip.h",
+    "nlohmann/json.hpp",
+    "pugixml.hpp",
+    "valijson/validator.hpp",
+    "zlib.h",
 )
-# The system's, the compiler's and the interpreter's: what a program takes of their headers carries
-# no conditions.
-TOOLCHAIN = re.compile(
-    r"(libc6|libcrypt|linux-libc|libstdc\+\+-\d+|libgcc-\d+|libpython[\d.]+)-dev$"
-)
+LINKED_HEADERS = ("metis.h", "nlopt.h", "oneapi/tbb/version.h")
 PYTHON = re.compile(r"/include/python3\.\d+/")
 LICENCE = re.compile(r"(licen[cs]e|copying|copyright|notice|unlicense)", re.IGNORECASE)
 
@@ -95,52 +102,39 @@ class Notices:
                 self.texts[f"common-licenses/{name}"] = text_of([common])
 
 
-def add_libraries(notices, names):
-    """Of the libraries that auditwheel brought along: its names hold the start of a SHA-256."""
-    for name in names:
-        parts = re.fullmatch(r"(.*)-([0-9a-f]{8})(\..*)", Path(name).name)
-        if not parts:
-            raise MissingLicenceError(f"{name}: expected a name with a hash, as auditwheel gives")
-        plain, digest = parts[1] + parts[3], parts[2]
-        for path, package in owners(f"*/{plain}").items():
-            if hashlib.sha256(Path(path).read_bytes()).hexdigest().startswith(digest):
-                notices.add_debian(name, package)
-                break
-        else:
-            raise MissingLicenceError(f"{name}: no Debian package here has this {plain}")
+def add_debian_libraries(notices, headers):
+    """Of libraries of Debian, by a header of each."""
+    found = owners(*(f"/usr/include/{header}" for header in headers))
+    for header in headers:
+        if (file := f"/usr/include/{header}") not in found:
+            raise MissingLicenceError(f"{file}: no package of Debian has it")
+        notices.add_debian(header, found[file])
 
 
-def headers_read(build):
-    """The headers of others that the compiler read, as ninja knows."""
+def check_headers(build, known):
+    """That the compiler read no header, as ninja knows, but in these folders and of Python."""
     said = output_of("ninja", "-C", str(build), "-t", "deps")
     read = {Path(line.strip()).resolve() for line in said.splitlines() if line.startswith("    /")}
     if not read:
         raise MissingLicenceError(f"{build}: ninja knows of no header, expected a build")
-    ours = [build, *(ROOT / name for name in ("include", "src", "apps", "python", "extern"))]
-    return sorted(file for file in read if not any(file.is_relative_to(part) for part in ours))
-
-
-def add_headers(notices, build):
-    """Of the headers that were read: Debian's, HDF5's and those of Python packages."""
-    hdf5 = ROOT / "build/hdf5/installed"
-    read = headers_read(build)
-    debian = owners(*map(str, read))
-    for package in sorted(set(debian.values())):
-        if not TOOLCHAIN.match(package):
-            notices.add_debian("headers", package)
-    others = [file for file in read if str(file) not in debian]
-    if any(file.is_relative_to(hdf5) for file in others):
-        notices.add("library", "HDF5", text_of(licence_files(hdf5 / "share")))
-    folders = set()
-    for file in others:
-        if "site-packages" in file.parts:
-            folders.add(Path(*file.parts[: file.parts.index("site-packages") + 2]))
-            if "ext" in file.parts:  # a package within the package: its licence heads its files
-                name = file.parts[file.parts.index("ext") + 1]
-                head = re.match(r"\s*/\*.*?\*/", file.read_text(encoding="utf-8"), re.DOTALL)
-                notices.add("headers", name, head.group() if head else "")
-        elif not file.is_relative_to(hdf5) and not PYTHON.search(str(file)):
+    known = [build, *known, *(ROOT / name for name in ("include", "src", "apps", "python", "extern"))]
+    for file in sorted(read):
+        if not any(file.is_relative_to(part) for part in known) and not PYTHON.search(str(file)):
             raise MissingLicenceError(f"{file}: no package says whose header this is")
+    return read
+
+
+def add_python_packages(notices, read):
+    """Of Python packages whose headers were read."""
+    folders = set()
+    for file in sorted(read):
+        if "site-packages" not in file.parts or "ziglang" in file.parts:
+            continue
+        folders.add(Path(*file.parts[: file.parts.index("site-packages") + 2]))
+        if "ext" in file.parts:  # a package within the package: its licence heads its files
+            name = file.parts[file.parts.index("ext") + 1]
+            head = re.match(r"\s*/\*.*?\*/", file.read_text(encoding="utf-8"), re.DOTALL)
+            notices.add("headers", name, head.group() if head else "")
     for folder in sorted(folders):
         info = next(folder.parent.glob(f"{folder.name}-*.dist-info"))
         files = [*licence_files(info), *sorted(f for f in info.glob("licenses/*") if f.is_file())]
@@ -218,12 +212,16 @@ def problems(wheel):
     return [f"{wheel}: {problem}" for problem in found]
 
 
-def add(wheel, build):
+def add(wheel, build, zig, root, hdf5):
     notices = Notices()
     with zipfile.ZipFile(wheel) as archive:
-        names = [n for n in archive.namelist() if n.split("/")[0].endswith(".libs") and ".so" in n]
-    add_libraries(notices, sorted(names))
-    add_headers(notices, build.resolve())
+        for name in archive.namelist():
+            if ".libs/libscipy_openblas" in name:
+                notices.add(name, "OpenBLAS", text_of([root / "OpenBLAS.txt"]))
+    add_debian_libraries(notices, HEADERS + LINKED_HEADERS)
+    add_python_packages(notices, check_headers(build, (zig, root, hdf5)))
+    notices.add("library", "libc++", text_of([zig / "lib/libcxx/LICENSE.TXT"]))
+    notices.add("library", "HDF5", text_of(licence_files(hdf5 / "installed/share")))
     cargo = re.search(r"TAUT_CARGO:FILEPATH=(.*)", (build / "CMakeCache.txt").read_text()).group(1)
     add_crates(notices, cargo)
     add_rust(notices, Path(cargo).with_name("rustc"))
@@ -248,13 +246,13 @@ def add(wheel, build):
 
 
 def main():
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) not in (2, 6):
         print(__doc__, file=sys.stderr)
         return 2
     wheel = Path(sys.argv[1])
     try:
-        if len(sys.argv) == 3:
-            add(wheel, Path(sys.argv[2]))
+        if len(sys.argv) == 6:
+            add(wheel, *(Path(folder).resolve() for folder in sys.argv[2:]))
     except MissingLicenceError as missing:
         print(f"wheel_licences.py: {missing}", file=sys.stderr)
         return 1

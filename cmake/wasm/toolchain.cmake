@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # WebAssembly with WASI, by the Clang, the C library and the sources of libc++ that the Python package
-# ziglang carries. scripts/app.sh sets TAUT_ZIG, that package's folder, and TAUT_WASM_ROOT, where what is
+# ziglang carries. scripts/app.sh sets TAUT_ZIG, that package's folder, and TAUT_CROSS_ROOT, where what is
 # built for WebAssembly is installed: include/ and lib/.
-list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TAUT_ZIG TAUT_WASM_ROOT)
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TAUT_ZIG TAUT_CROSS_ROOT)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})  # Platform/WASI.cmake
 set(CMAKE_SYSTEM_NAME WASI)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
@@ -26,6 +26,6 @@ string(CONCAT CMAKE_CXX_FLAGS_INIT
 # long double has 128 bits there, in software: Boost.Math would take most of the time of posterior samples.
 string(APPEND CMAKE_CXX_FLAGS_INIT " -DBOOST_MATH_PROMOTE_DOUBLE_POLICY=false")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--stack,4194304 -Wl,-s")
-if(EXISTS ${TAUT_WASM_ROOT}/lib/libc++.a)
-    set(CMAKE_CXX_STANDARD_LIBRARIES ${TAUT_WASM_ROOT}/lib/libc++.a)
+if(EXISTS ${TAUT_CROSS_ROOT}/lib/libc++.a)
+    set(CMAKE_CXX_STANDARD_LIBRARIES ${TAUT_CROSS_ROOT}/lib/libc++.a)
 endif()

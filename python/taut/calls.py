@@ -84,7 +84,7 @@ def signature_of(function: Any) -> inspect.Signature:
             (first, of_first, kinds.POSITIONAL_OR_KEYWORD),
             (arguments.kwonlyargs, arguments.kw_defaults, kinds.KEYWORD_ONLY),
         )
-        for one, default in zip(ones, of_ones)  # noqa: B905 - ast has them of one length
+        for one, default in zip(ones, of_ones)
     ]
     return inspect.Signature(parameters, return_annotation=head.rpartition(" -> ")[2])
 
@@ -98,7 +98,7 @@ def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
     for name in [name for name in kwargs if name not in expected]:
         near = difflib.get_close_matches(name, expected, n=1)
         return f"{name}: is no argument, expected {' or '.join(near or expected)}"
-    given = dict(zip(expected, args))  # noqa: B905 - args are the first of all
+    given = dict(zip(expected, args))
     for name in [name for name in kwargs if name in given]:
         return f"{name}: is given twice"
     given |= kwargs

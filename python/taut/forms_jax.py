@@ -58,7 +58,7 @@ def _define(name: str) -> None:
         return [None, *map(by, range(len(linear)))]
 
     def batched(arguments: Any, axes: Any, *, forms: Forms) -> tuple[Any, int]:
-        pairs = list(zip(arguments, axes, strict=True))
+        pairs = list(zip(arguments, axes))
         size = next(one.shape[axis] for one, axis in pairs if axis is not None)
         same = [
             jnp.moveaxis(one, axis, 0)

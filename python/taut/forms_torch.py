@@ -91,7 +91,7 @@ def _define(name: str) -> None:
         def vmap(info: Any, axes: Any, forms: Forms, *arguments: Any) -> tuple[Any, int]:
             same = [
                 one.expand(info.batch_size, *one.shape) if axis is None else one.movedim(axis, 0)
-                for one, axis in zip(arguments, axes[1:], strict=True)
+                for one, axis in zip(arguments, axes[1:])
             ]
             return _apply(name, forms, *same), 0
 

@@ -110,8 +110,8 @@ def survey_frame(survey: _taut.Survey, net: _taut.CableNet) -> pandas.DataFrame:
     nodes = np.asarray(survey.surveyed, dtype=int)
     form = np.asarray(survey.form)[nodes]
     columns = {"node": nodes, "id": [net.node_id(int(k)) for k in nodes]}
-    columns |= dict(zip("xyz", form.T, strict=True))
+    columns |= dict(zip("xyz", form.T))
     noise = np.asarray(survey.noise_std)
     if len(noise):
-        columns |= dict(zip(("sx", "sy", "sz"), noise[nodes].T, strict=True))
+        columns |= dict(zip(("sx", "sy", "sz"), noise[nodes].T))
     return _frame(columns, "node")

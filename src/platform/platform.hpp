@@ -9,7 +9,7 @@
 #include "taut/export/core.hpp"
 
 /// What the standard library does not offer: one source a platform, posix.cpp for Linux and macOS,
-/// wasi.cpp for WebAssembly.
+/// windows.cpp, and wasi.cpp for WebAssembly.
 namespace taut::platform {
 
 /// Of the machine [bytes].
