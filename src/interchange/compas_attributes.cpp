@@ -13,9 +13,9 @@ namespace taut {
 namespace {
 
 /// Those of an edge that mean something to taut.
-constexpr std::array<std::string_view, 14> understood{"q",  "f",  "force",      "l",       "length",
-                                                      "l0", "E",  "r",          "EA",      "px",
-                                                      "py", "pz", "sag_weight", "friction"};
+constexpr std::array<std::string_view, 15> understood{
+    "q",      "f",  "force", "l",  "length", "l0",         "E",       "r",
+    "radius", "EA", "px",    "py", "pz",     "sag_weight", "friction"};
 
 }  // namespace
 

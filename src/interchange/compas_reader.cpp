@@ -80,8 +80,14 @@ private:
         if (length && length->json() != "m") {
             length->fail(R"(is another unit of length than taut knows, expected "m")");
         }
+    }
+
+    /// The weight of a surface over the net: COMPAS FoFin computes it from a density and the
+    /// thickness at each vertex, and does not keep it among the loads.
+    void note_self_weight(bool has_thickness) {
+        const auto attributes = find_object(m_data, {"attributes"});
         const auto density = attributes ? attributes->find("density") : std::nullopt;
-        if (density && density->json().is_number() && density->number() != 0.0) {
+        if (has_thickness && density && density->json().is_number() && density->number() != 0.0) {
             m_structure.notes.push_back(fmt::format(
                 "self-weight (density {}): not among the file's loads", density->json().dump()));
         }
@@ -97,6 +103,7 @@ private:
                 nodes.find(key)->fail(fmt::format("names the node {} a second time", quote(key)));
             }
         }
+        bool has_thickness = false;
         for (const auto& [id, key] : key_of_node) {
             const JsonValue value = *nodes.find(key);
             CompasAttributes attributes(defaults);
@@ -113,12 +120,17 @@ private:
                 node.is_support |= attributes.flag(flag, false);
             }
             read_support_and_slides(attributes, node);
+            for (const char* thickness : {"t", "thickness"}) {
+                const auto given = attributes.find(thickness);
+                has_thickness |= given && given->json() != 0;
+            }
             m_index.emplace(id, static_cast<int>(m_structure.nodes.size()));
             const auto name = attributes.find("name");
             m_names.push_back(name && name->json().is_string() ? name->text() : "");
             m_structure.nodes.push_back(std::move(node));
         }
         take_names();
+        note_self_weight(has_thickness);
     }
 
     static void read_support_and_slides(const CompasAttributes& attributes, ImportedNode& node) {
@@ -242,7 +254,7 @@ private:
             const auto found = m_attributes.find({edge.s, edge.t});
             const CompasAttributes attributes =
                 found == m_attributes.end() ? CompasAttributes(defaults) : found->second;
-            if (!attributes.flag("is_edge", true)) {
+            if (!attributes.flag("is_edge", true) || !attributes.flag("_is_edge", true)) {
                 ++m_structure.inactive_edges;
                 continue;
             }

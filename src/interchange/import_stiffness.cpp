@@ -123,7 +123,8 @@ ImportedStiffness from_stress_strain(const ImportedStructure& structure,
     Diameters diameters;
     if (settings.diameter || !settings.diameter_attribute.empty()) {
         diameters = diameters_of(structure, settings);
-    } else if (const auto r = numbers_of(structure, {"r"}); r && (r->array() > 0.0).all()) {
+    } else if (const auto r = numbers_of(structure, {"r", "radius"});
+               r && (r->array() > 0.0).all()) {
         diameters = {.values = 2.0 * *r, .source = "the file's r, taken in m"};
     } else {
         throw InputError(structure.file, "",
@@ -179,7 +180,7 @@ ImportedStiffness stiffness_of(const ImportedStructure& structure, const ImportS
         return {.values = *EA, .in_force_unit = true, .source = "the file's EA"};
     }
     const auto E = numbers_of(structure, {"E"});
-    const auto r = numbers_of(structure, {"r"});
+    const auto r = numbers_of(structure, {"r", "radius"});
     if (!E || !r) {
         throw InputError(
             structure.file, "",

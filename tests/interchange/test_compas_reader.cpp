@@ -60,6 +60,31 @@ TEST(ParseCompas, FindsAttributesOfAnEdgeUnderBothItsNames) {
     EXPECT_FALSE(edge.numbers.contains("is_edge") && edge.numbers.at("is_edge") == 0.0);
 }
 
+TEST(ParseCompas, TakesTheNamesOfLaterCableMeshes) {
+    json file = old_compas_mesh();
+    file["dea"]["_is_edge"] = true;
+    file["edgedata"]["(4, 3)"]["_is_edge"] = false;
+    file["edgedata"]["(4, 0)"]["radius"] = 0.002;
+    const ImportedStructure net = compas_net(file);
+    EXPECT_THAT(ids_of(net.edges), testing::ElementsAre("0-4", "1-4", "2-4"));
+    EXPECT_EQ(net.inactive_edges, 5);
+    EXPECT_EQ(edge_named(net, "0-4").numbers.at("radius"), 0.002);
+}
+
+TEST(ParseCompas, NotesASelfWeightWhereAVertexHasAThickness) {
+    json file = old_compas_mesh();
+    file["attributes"]["density"] = 14;
+    file["dva"]["thickness"] = 0.0;
+    EXPECT_THAT(compas_net(file).notes, testing::IsEmpty());
+    const auto is_noted =
+        testing::ElementsAre("self-weight (density 14): not among the file's loads");
+    file["vertex"]["4"]["thickness"] = 0.05;
+    EXPECT_THAT(compas_net(file).notes, is_noted);
+    file["dva"] = {{"z", 0.0}, {"t", 0.05}};
+    file["vertex"]["4"].erase("thickness");
+    EXPECT_THAT(compas_net(file).notes, is_noted);
+}
+
 TEST(ParseCompas, RefusesTwoNamesOfAnEdgeThatContradictEachOther) {
     json file = old_compas_mesh();
     file["edgedata"]["(0, 4)"]["q"] = 2.5;

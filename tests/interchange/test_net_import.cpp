@@ -63,6 +63,13 @@ TEST(ImportNet, CutsEdgesSoThatTheyCarryTheFilesForceDensities) {
     EXPECT_NEAR(net.axial_stiffness()(0), EA, 1e-9 * EA);
 }
 
+TEST(ImportNet, TakesARadiusByEitherName) {
+    json file = old_compas_mesh();
+    file["dea"].erase("r");
+    file["dea"]["radius"] = 0.001;
+    EXPECT_NEAR(import(file, {.force_unit = 1e3}).net.axial_stiffness()(0), EA, 1e-9 * EA);
+}
+
 TEST(ImportNet, TakesForcesForNewtonsAndSaysSoWhereNoUnitIsGiven) {
     const ImportedNet imported = import(old_compas_mesh());
     EXPECT_NEAR(tensions(imported.net, imported.net.unstressed_lengths(), imported.net.nodes())(1),
