@@ -122,6 +122,39 @@ def to_compas(net: _taut.CableNet, form: ArrayLike | None = None, like: Any = No
     return graph if like is None else _put_on(like, graph)
 
 
+# Forces and lengths of edges in JAX FDM (FDNetwork, FDMesh) and COMPAS FoFin (CableMesh).
+_OTHER_NAMES = {"force": "f", "_f": "f", "length": "l"}
+
+
+def _fill_other_names(result: Any, is_mesh: bool, edges: list[Any]) -> None:
+    """Fills the names that the structure's type has for forces and lengths of these edges, and for
+    residuals of nodes, p - sum q (r_s - r_t): minus what a support gives, 0 at a free node."""
+    for name in _OTHER_NAMES.keys() & result.default_edge_attributes.keys():
+        for edge in edges:
+            result.edge_attribute(edge, name, result.edge_attribute(edge, _OTHER_NAMES[name]))
+    defaults = result.default_vertex_attributes if is_mesh else result.default_node_attributes
+    if not {"rx", "_residual"} & defaults.keys():
+        return
+    attributes = result.vertex_attributes if is_mesh else result.node_attributes
+    keys = list(result.vertices() if is_mesh else result.nodes())
+    places = {key: np.array(attributes(key, "xyz"), dtype=float) for key in keys}
+    loads = {key: [one or 0.0 for one in attributes(key, ("px", "py", "pz"))] for key in keys}
+    residuals = {key: np.array(load, dtype=float) for key, load in loads.items()}
+    for start, end in result.edges():
+        if False in result.edge_attributes((start, end), ("is_edge", "_is_edge")):
+            continue
+        pull = (result.edge_attribute((start, end), "q") or 0.0) * (places[end] - places[start])
+        residuals[start] += pull
+        residuals[end] -= pull
+    from compas.geometry import Vector
+
+    for key, residual in residuals.items():
+        if "rx" in defaults:
+            attributes(key, ("rx", "ry", "rz"), residual.tolist())
+        else:
+            attributes(key, ("_residual",), [Vector(*residual.tolist())])
+
+
 def _given(names: list[str], attributes: list[Any]) -> list[str]:
     """The names of attributes that any of the nodes or edges has."""
     return [name for name in names if any(one.get(name) is not None for one in attributes)]
@@ -163,6 +196,7 @@ def _put_on(like: Any, graph: Any) -> Any:
     for node, name in names.items():
         place(keys[name], of_nodes, graph.node_attributes(node, of_nodes))
     edges = set(result.edges())
+    filled = []
     for start, end in graph.edges():
         edge = keys[names[start]], keys[names[end]]
         if edge not in edges:
@@ -170,6 +204,8 @@ def _put_on(like: Any, graph: Any) -> Any:
         if edge not in edges:
             raise ValueError(f"like: got a {type(like).__name__} without the net's edge {edge}")
         result.edge_attributes(edge, of_edges, graph.edge_attributes((start, end), of_edges))
+        filled.append(edge)
+    _fill_other_names(result, is_mesh, filled)
     return result
 
 
