@@ -23,7 +23,7 @@ uv=build/venv/uv/bin/uv
 
 if [[ "$task" == lint ]]; then
     scripts/venv.sh lint
-    sources=(python tests/python tests/hostile)
+    sources=(python tests/python tests/hostile integrations)
     build/venv/lint/bin/ruff format --diff --quiet "${sources[@]}" &&
         build/venv/lint/bin/ruff check --quiet "${sources[@]}"
     exit

@@ -48,8 +48,8 @@ def net_frame(net: _taut.CableNet) -> pandas.DataFrame:
     )
 
 
-def identification_frame(found: _taut.Identification) -> pandas.DataFrame:
-    """Identification.to_dataframe()."""
+def identification_columns(found: _taut.Identification) -> dict[str, Any]:
+    """Of all edges by name, as Identification.to_dataframe() has them, without pandas."""
     net = found.net
     columns = _edges(net)
     interior = found.edge
@@ -74,7 +74,12 @@ def identification_frame(found: _taut.Identification) -> pandas.DataFrame:
         values = np.array(getattr(found, name))
         if len(values) == count:
             columns[name] = values
-    return _frame(columns, "edge")
+    return columns
+
+
+def identification_frame(found: _taut.Identification) -> pandas.DataFrame:
+    """Identification.to_dataframe()."""
+    return _frame(identification_columns(found), "edge")
 
 
 def plan_frame(plan: _taut.Plan) -> pandas.DataFrame:

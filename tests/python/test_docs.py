@@ -24,6 +24,7 @@ RUN_BY = {
     ("python", "docs/howto.md"): "tests/python/test_docs.py",
     ("python", "docs/files.md"): "tests/python/test_docs.py",
     ("python", "docs/clusters.md"): "tests/python/test_docs.py",
+    ("python", "docs/grasshopper.md"): "tests/python/test_docs.py",
     ("json", "docs/files.md"): "tests/python/test_docs.py",
     ("cpp", "README.md"): CONSUMER,
     ("cpp", "docs/linking.md"): CONSUMER,
@@ -132,6 +133,10 @@ def test_the_page_by_task(tmp_path, monkeypatch, capsys):
 def test_the_page_on_clusters(capsys):
     pytest.importorskip("distributed")
     run("docs/clusters.md", capsys)
+
+
+def test_the_page_on_grasshopper(capsys):
+    assert "net_from_lines" in run("docs/grasshopper.md", capsys)
 
 
 def test_the_lines_of_the_readme(tmp_path, monkeypatch, capsys):
