@@ -119,7 +119,8 @@ def check_headers(build, known):
         raise MissingLicenceError(f"{build}: ninja knows of no header, expected a build")
     known = [build, *known, *(ROOT / name for name in ("include", "src", "apps", "python", "extern"))]
     for file in sorted(read):
-        if not any(file.is_relative_to(part) for part in known) and not PYTHON.search(str(file)):
+        is_known = "site-packages" in file.parts or PYTHON.search(str(file))
+        if not is_known and not any(file.is_relative_to(part) for part in known):
             raise MissingLicenceError(f"{file}: no package says whose header this is")
     return read
 

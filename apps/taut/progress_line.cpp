@@ -31,13 +31,14 @@ void ProgressLine::show(std::string_view stage, int done, int total) {
         m_stage = stage;
         m_first = done;
         m_start = now;
-    } else if (done < total && now - m_last < std::chrono::milliseconds(100)) {
+    } else if ((done < total || total == 0) && now - m_last < std::chrono::milliseconds(100)) {
         return;
     }
     m_last = now;
     const double seconds = std::chrono::duration<double>(now - m_start).count();
-    std::string line = fmt::format("{}: {} of {}", stage, done, total);
-    if (done > m_first && seconds > 0.0) {
+    std::string line = total > 0 ? fmt::format("{}: {} of {}", stage, done, total)
+                                 : fmt::format("{}: step {}", stage, done);
+    if (total > 0 && done > m_first && seconds > 0.0) {
         const double rate = (done - m_first) / seconds;
         line += fmt::format(", {:.4g} a second, {:.0f} s left", rate, (total - done) / rate);
     }

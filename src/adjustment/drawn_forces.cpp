@@ -47,7 +47,8 @@ StrokedNet DrawnResponse::at(const Eigen::VectorXd& strokes, const Points& start
 }
 
 DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedResponse>& responses,
-                          const StrokedState& state, double actuator_std, std::uint64_t seed) {
+                          const StrokedState& state, double actuator_std, std::uint64_t seed,
+                          const Progress& progress) {
     const Eigen::Index count = built.length_draws.cols();
     DrawnStrokes result;
     for (const StrokedNet& net : state.nets) {
@@ -64,6 +65,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
         return copies;
     });
     parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
+        progress.throw_if_stopped();
         const Eigen::VectorXd strokes = strokes_with_errors(state.strokes, actuator_std, seed, d);
         std::vector<StrokeResponse>& local = workspaces.local();
         for (size_t i = 0; i < local.size(); ++i) {

@@ -47,7 +47,7 @@ private:
 [[nodiscard]] DrawnStrokes draw_strokes(const BuiltNet& built,
                                         const std::vector<LimitedResponse>& responses,
                                         const StrokedState& state, double actuator_std,
-                                        std::uint64_t seed);
+                                        std::uint64_t seed, const Progress& progress = {});
 
 /// The margins that limits need to be kept in the samples, too (limit-margins).
 class LimitMargins {

@@ -32,7 +32,7 @@ Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits&
     const auto report = [&](int done) { progress("planning", done, stages); };
     const FormTarget relative =
         with_median_weight_one(target, built.net, !options.target_tensions.empty());
-    PlanProblem problem(built, relative, limits, options);
+    PlanProblem problem(built, relative, limits, options, progress);
     report(0);
     PlanSearch found = search_of_estimate(problem);
     report(1);

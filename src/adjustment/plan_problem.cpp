@@ -13,7 +13,7 @@
 namespace taut {
 
 PlanProblem::PlanProblem(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-                         const PlanOptions& options)
+                         const PlanOptions& options, const Progress& progress)
     : m_built(built),
       m_target(target),
       m_limits(limits),
@@ -32,7 +32,8 @@ PlanProblem::PlanProblem(const BuiltNet& built, const FormTarget& target, const 
               .shortest = limits.shortest_stroke,
               .longest = limits.longest_stroke,
               .tensions = options.target_tensions,
-              .form_tolerance = options.weighing_tolerance()};
+              .form_tolerance = options.weighing_tolerance(),
+              .progress = {.report = {}, .stop_requested = progress.stop_requested}};
     m_as_built = state_at(m_responses, m_task, Eigen::VectorXd::Zero(std::ssize(m_edges)), nullptr);
     if (!m_as_built.balanced()) {
         throw std::invalid_argument("the built net finds no equilibrium");
@@ -59,7 +60,7 @@ std::vector<LimitedResponse>& PlanProblem::under(const std::vector<ForceRange>& 
 }
 
 DrawnStrokes PlanProblem::drawn(const StrokedState& state, double actuator_std) const {
-    return draw_strokes(m_built, m_responses, state, actuator_std, m_options.seed);
+    return draw_strokes(m_built, m_responses, state, actuator_std, m_options.seed, m_task.progress);
 }
 
 double PlanProblem::negligible_excess() const {

@@ -19,9 +19,10 @@ namespace taut {
 class PlanProblem {
 public:
     /// Keeps references.
+    /// @param progress asked whether to stop
     /// @throws std::invalid_argument, RequestError as plan_strokes()
     PlanProblem(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-                const PlanOptions& options);
+                const PlanOptions& options, const Progress& progress);
     PlanProblem(const PlanProblem&) = delete;
     PlanProblem& operator=(const PlanProblem&) = delete;
 

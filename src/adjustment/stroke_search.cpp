@@ -42,6 +42,7 @@ StrokedState state_at(std::vector<LimitedResponse>& responses, const StrokeTask&
                       const Eigen::VectorXd& strokes, const StrokedState* near) {
     StrokedState state{.strokes = strokes, .nets = {}};
     for (size_t i = 0; i < responses.size(); ++i) {
+        task.progress.throw_if_stopped();
         const Points& start = near != nullptr ? near->nets[i].equilibrium.form : responses[i].start;
         StrokeResponse& response = responses[i].response;
         state.nets.push_back(response.at(response.net().unstressed_lengths(), strokes, start));

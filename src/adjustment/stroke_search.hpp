@@ -9,6 +9,7 @@
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/tension_target.hpp"
+#include "taut/progress.hpp"
 
 namespace taut {
 
@@ -47,6 +48,7 @@ struct StrokeTask {
     double violation_weight = 0.0;
     std::vector<TensionTarget> tensions = {};  ///< of the first net
     double form_tolerance = 0.0;  ///< form deviation that counts as one tolerance of a tension [m]
+    Progress progress = {};       ///< asked at each state whether to stop
 };
 
 /// What the search minimises: cost, turning and violation together [m2].
@@ -55,6 +57,7 @@ struct StrokeTask {
 [[nodiscard]] double merit_of(const StrokeTask& task, const StrokedState& state);
 
 /// The state that strokes lead to.
+/// @throws Interrupted if StrokeTask::progress requests a stop
 /// @param near where the solvers start; null: at the starts of the responses
 [[nodiscard]] StrokedState state_at(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                                     const Eigen::VectorXd& strokes, const StrokedState* near);

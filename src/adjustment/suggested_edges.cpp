@@ -37,11 +37,12 @@ struct TurnedSet {
 class SuggestionSearch {
 public:
     SuggestionSearch(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-                     const PlanOptions& options, const Plan& plan)
+                     const PlanOptions& options, const Plan& plan, const Progress& progress)
         : m_net(&built.net),
           m_target(with_median_weight_one(target, built.net, !options.target_tensions.empty())),
           m_limits(&limits),
           m_options(&options),
+          m_progress{.report = {}, .stop_requested = progress.stop_requested},
           m_plan(&plan) {
         for (const LoadCase& load_case : limits.load_cases) {
             m_case_nets.push_back(with_loads(built.net, load_case.loads));
@@ -158,7 +159,8 @@ private:
                 .longest = set.longest,
                 .violation_weight = m_violation_weight,
                 .tensions = m_options->target_tensions,
-                .form_tolerance = m_options->weighing_tolerance()};
+                .form_tolerance = m_options->weighing_tolerance(),
+                .progress = m_progress};
     }
 
     /// Finds the best strokes of a set, from a start.
@@ -188,6 +190,7 @@ private:
     FormTarget m_target;
     const Limits* m_limits;
     const PlanOptions* m_options;
+    Progress m_progress;  ///< without a report
     const Plan* m_plan;
     std::vector<CableNet> m_case_nets;
     double m_longest = 0.0;
@@ -215,7 +218,7 @@ std::vector<SuggestedEdge> suggested_edges(const BuiltNet& built, const FormTarg
                             built.net.edge_id(stroke.edge)));
         }
     }
-    SuggestionSearch search(built, target, limits, options, plan);
+    SuggestionSearch search(built, target, limits, options, plan, progress);
     TurnedSet set = search.planned(edges);
     std::vector<SuggestedEdge> result;
     for (int i = 0; i < count; ++i) {

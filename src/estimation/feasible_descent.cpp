@@ -100,7 +100,7 @@ GaussNewtonResult feasible_descent(const StaticsModel& model, const Observations
     double F = model.objective(observations, result.iterate);
     double damping = first_damping;
     for (int k = 0; k < max_iterations && damping < most_damping; ++k) {
-        progress.throw_if_stopped();
+        progress("identification", k, 0);
         const Observations here = damped(observations, result.iterate, damping);
         at = linearise(model, result.iterate, here, std::move(at));
         if (!at) {

@@ -53,7 +53,7 @@ GaussNewtonResult gauss_newton(const StaticsModel& model, const Observations& ob
     relinearise();
     int iterations = 0;
     while (at && iterations < max_iterations && std::isfinite(at->size_of(step))) {
-        progress.throw_if_stopped();
+        progress("identification", iterations, 0);
         if (at->size_of(step) <= tolerance) {
             // The covariance is to be that of the result.
             if (is_linearised_here) {

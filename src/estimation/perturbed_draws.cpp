@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,9 +35,11 @@ constexpr int fewest_chain_draws = 40;  ///< they show whether chains follow the
 using Draws = std::vector<std::optional<BalancedDraw>>;
 
 /// Adds draws up to a number, each from its own random numbers.
+/// @param progress reports each
 /// @param fit_of gives the fit of the k-th, from its random numbers and the last linearisation
 template <class FitOf>
-void add_draws(Draws& draws, int count, const DrawnPosterior& posterior, const FitOf& fit_of) {
+void add_draws(Draws& draws, int count, const DrawnPosterior& posterior, const Progress& progress,
+               const FitOf& fit_of) {
     struct Workspace {
         EquilibriumSolver solver;
         std::optional<Linearisation> last;
@@ -45,7 +48,10 @@ void add_draws(Draws& draws, int count, const DrawnPosterior& posterior, const F
     draws.resize(static_cast<size_t>(count));
     PerThread<Workspace> workspaces(
         [&] { return Workspace{.solver = EquilibriumSolver(posterior.net()), .last = {}}; });
+    std::mutex reporting;
+    int done = first;
     parallel_for(first, count, [&](int k) {
+        progress.throw_if_stopped();
         // Isolated, so that a waiting thread starts no other draw with the same workspace.
         isolate([&] {
             Workspace& workspace = workspaces.local();
@@ -54,6 +60,8 @@ void add_draws(Draws& draws, int count, const DrawnPosterior& posterior, const F
                 draws[k] = balanced_draw(posterior, *fit, random, workspace.solver);
             }
         });
+        const std::scoped_lock lock(reporting);
+        progress("posterior samples", ++done, count);
     });
 }
 
@@ -147,7 +155,7 @@ PerturbedDraws draw_by_chains(const LinearisedFit& fitted, const Observations& s
     const std::optional<ChainSamples> found = hamiltonian_samples(
         model, sites, knowledge.forces.taut, posterior.all_taut, count, seed, progress);
     Draws all;
-    add_draws(all, found ? count : 0, posterior,
+    add_draws(all, found ? count : 0, posterior, progress,
               [&](int k, RandomNumbers& random, std::optional<Linearisation>&) {
                   const Iterate& iterate = found->iterates[static_cast<size_t>(k)];
                   Observations of_mean = with_mean_given(sites, model.prior_variances(sites),
@@ -172,9 +180,8 @@ PerturbedDraws draw_by_perturbation(const LinearisedFit& fitted, const Observati
     const DrawnPosterior posterior(fitted, sites, knowledge, seed);
     Draws all;
     const auto add = [&](int count, const Observations& from) {
-        add_draws(all, count, posterior,
+        add_draws(all, count, posterior, progress,
                   [&](int, RandomNumbers& random, std::optional<Linearisation>& last) {
-                      progress.throw_if_stopped();
                       return fit_perturbed(posterior, from, by_fits, random, last);
                   });
         return collected(posterior, all, by_fits);

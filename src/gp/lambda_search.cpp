@@ -74,6 +74,7 @@ FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
         parallel_for(size_t{0}, seen.size(), [&](size_t i) {
             const LengthScaleSearch::Look& look = looks[mine[i]];
             seen[i].spectrum = kernel_spectrum(squared_distances, std::exp(look.log_lambda));
+            progress.throw_if_stopped();
             seen[i].profile = profile_likelihood(
                 seen[i].spectrum, squared_distances, outputs(Eigen::all, look.outputs),
                 settings.noise_ratio, is_last ? Slope::left_out : Slope::wanted);

@@ -112,12 +112,14 @@ KernelSpectrum low_rank_spectrum(const Eigen::Ref<const Eigen::MatrixXd>& inputs
         columns(part[k], static_cast<Eigen::Index>(k)) += rounding;
     }
     Eigen::MatrixXd core = columns(part, Eigen::all);
+    progress.throw_if_stopped();
     KernelSpectrum spectrum = nystroem(inverse_length_scale, std::move(columns), std::move(core));
     // Then the directions that these show: one round of subspace iteration.
     const Eigen::MatrixXd S = std::move(spectrum.eigenvectors);
     Eigen::MatrixXd Y =
         correlation_product(inputs, inverse_length_scale, S, progress) + rounding * S;
     core = transposed_product(S, Y);
+    progress.throw_if_stopped();
     spectrum = nystroem(inverse_length_scale, std::move(Y), std::move(core));
     if (!spectrum.is_whole()) {
         const auto left_out = static_cast<double>(n - spectrum.eigenvalues.size());

@@ -195,11 +195,10 @@ Given EpochChain::given(int k) const {
 }
 
 void EpochChain::fit(size_t k, const Given& given, const Progress& progress) {
-    if (progress.stopped()) {
-        throw Interrupted();
-    }
     State& state = m_states[k];
-    IdentifiedEpoch epoch = identify_one_epoch(state.net, state.survey, given, m_entries.common);
+    IdentifiedEpoch epoch =
+        identify_one_epoch(state.net, state.survey, given, m_entries.common,
+                           {.report = {}, .stop_requested = progress.stop_requested});
     state.found = std::move(epoch.identification);
     const auto is_creep = [](const ParameterEstimate& one) {
         return one.parameter.kind == UncertainParameter::Kind::creep;

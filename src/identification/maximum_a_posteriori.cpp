@@ -159,7 +159,7 @@ IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const
     all.frame_is_unknown = survey.frame_is_unknown;
     all.test_loads = given.test_loads;
     SurveyFitSettings fitting = settings;
-    fitting.progress = {.report = {}, .stop_requested = progress.stop_requested};
+    fitting.progress = progress;
     MarkedFit marked =
         fit_with_marks(fit_net, survey, all, fitting);  // (map), (slack-form), (snooping)
     for (int again = 0;

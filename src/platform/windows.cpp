@@ -59,6 +59,10 @@ bool process_runs(long process) {
     return GetExitCodeProcess(handle.get(), &code) != 0 && code == STILL_ACTIVE;
 }
 
+std::FILE* open_stream(const std::filesystem::path& path, const char* mode) {
+    return _wfopen(path.c_str(), std::filesystem::path(mode).c_str());
+}
+
 std::error_code make_new_file(const std::filesystem::path& path) {
     return open(path, GENERIC_WRITE, CREATE_NEW) ? std::error_code() : error_of(GetLastError());
 }

@@ -9,6 +9,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -69,6 +70,25 @@ CableNet Reference::designed(const json& reference) {
                                                      reference["axial_stiffness"].get<double>());
     data.adjustable = reference["adjustable"].get<std::vector<int>>();
     return CableNet(data);
+}
+
+TEST(Plan, AsksWhetherToStopAtEachState) {
+    const CableNet net = hypar(4, 5);
+    const BuiltNet built = random_built(net, 6, 4e-3);
+    const FormTarget target{net, net.nodes(), {.normal = 1.0, .tangential = 1.0}};
+    const Limits limits = limits_between(built.net, 0.01, 0.0, 1e9);
+    std::atomic<int> asked = 0;
+    const auto stop_after = [&](int times) {
+        asked = 0;
+        return Progress{.stop_requested = [&asked, times] { return ++asked > times; }};
+    };
+    (void)plan_strokes(built, target, limits, {}, stop_after(1 << 30));
+    const int in_all = asked;
+    ASSERT_GT(in_all, 6);  // of which plan_strokes() reports 6
+    for (const int times : {2, in_all / 2, in_all - 2}) {
+        EXPECT_THROW((void)plan_strokes(built, target, limits, {}, stop_after(times)), Interrupted)
+            << times;
+    }
 }
 
 TEST(Plan, IsThatOfAnIndependentOptimiser) {

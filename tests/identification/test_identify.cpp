@@ -120,6 +120,22 @@ TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
                  Interrupted);
 }
 
+TEST_F(Identify, ReportsItsFitsAndSamples) {
+    const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
+    int steps = 0;
+    int samples = 0;
+    const Progress progress{.report = [&](std::string_view stage, int done, int total) {
+        steps += stage == "identification" && total == 0 ? 1 : 0;
+        samples += stage == "posterior samples" && done <= total ? 1 : 0;
+    }};
+    constexpr int draws = 50;
+    const Identification found =
+        identify(m_net, survey, {.prior = prior, .draws = draws}, progress);
+    ASSERT_EQ(found.status, IdentificationStatus::converged);
+    EXPECT_GE(steps, 3);
+    EXPECT_GE(samples, draws);
+}
+
 TEST_F(Identify, StopsAmidTheFitWhereAsked) {
     const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     int asked = 0;

@@ -96,8 +96,9 @@ TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 /// lengths of the prior give its form to rounding errors, the status is `survey_not_exact`.
 ///
 /// @param survey of the net's free nodes: read_survey(), match_to_nodes(), or made by hand
-/// @param progress gets "sampling" and "training" where a model has to be trained; the fit of map
-///   and draws only ask it at each step whether to stop
+/// @param progress gets "sampling" and "training" where a model has to be trained; of map
+///   "identification" at each step of each fit, whose number is not known before, and "posterior
+///   samples"
 /// @return status and message show whether it is reliable; misuse throws
 /// @throws std::invalid_argument for draws as check_draws(), a prior that does not fit the net
 ///   (check_prior()), forces as check_forces(), or for another method than map; covariances of
