@@ -61,7 +61,9 @@ for version in "${versions[@]}"; do
         cat "$into/build.log" >&2
         exit 1
     fi
-    LD_LIBRARY_PATH="$root/lib" PATH="$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$wheels" "$into"/dist/taut-*.whl
+    # Of one Python: that for 3.9 is older, and strips what is a script.
+    LD_LIBRARY_PATH="$root/lib" PATH="$PWD/build/venv/build/bin:$PATH" \
+        auditwheel repair --strip --wheel-dir "$wheels" "$into"/dist/taut-*.whl
 done
 for wheel in "$wheels"/*.whl; do
     build/venv/build/bin/python scripts/wheel_licences.py "$wheel" "$into/program" "$zig" "$root" "$hdf5"
