@@ -52,6 +52,15 @@ def test_importing_brings_nothing_but_numpy():
         assert f"'{module}'" not in said.stdout
 
 
+@pytest.mark.parametrize(("module", "package"), [("plot", "matplotlib"), ("gp", "sklearn")])
+def test_a_module_without_its_package_says_what_to_install(module, package):
+    code = f"import sys, taut; sys.modules['{package}'] = None; taut.{module}"
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    last = said.stderr.splitlines()[-1]
+    assert last.startswith(f"ImportError: taut.{module} needs ")
+    assert last.endswith(f": pip install 'taut[{module}]'")
+
+
 def test_all_names_are_there_and_documented():
     for name in taut.__all__:
         public = getattr(taut, name)
