@@ -9,14 +9,17 @@ import ast
 import difflib
 import functools
 import inspect
+import math
+import operator
 import re
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 TYPES: dict[str, type] = {"str": str, "bool": bool}
+NUMBERS: dict[str, Callable[[Any], float]] = {"int": operator.index, "float": math.fabs}
 
 #: Arguments of version 0.2 and their names since. The old ones go with 0.4.
 RENAMED = {
@@ -28,23 +31,52 @@ RENAMED = {
 }
 
 
-def _fits(value: object, annotation: ast.expr | None) -> bool | None:
-    """Whether a value is of a type as a stub writes it; None where that takes a closer look."""
+def _fits(value: Any, annotation: ast.expr | None) -> bool | None:
+    """Whether a value is of a type as a stub writes it; None where that cannot be seen."""
     if isinstance(annotation, ast.BinOp):
         both = [_fits(value, annotation.left), _fits(value, annotation.right)]
         return True if True in both else None if None in both else False
-    if annotation is None or isinstance(annotation, ast.Subscript):
+    if isinstance(annotation, ast.Subscript):
+        return _parts_fit(value, annotation)
+    if annotation is None:
         return None
     name = ast.unparse(annotation).rpartition(".")[2]
-    if name in ("ArrayLike", "object"):
+    if name in ("ArrayLike", "Any", "object"):
         return True
-    if name == "int" and hasattr(value, "__index__"):
-        return None  # it may be too large, or negative
-    if name == "float":
-        return hasattr(value, "__float__") or hasattr(value, "__index__")
+    if name in NUMBERS:
+        try:
+            number = NUMBERS[name](value)
+        except (TypeError, ValueError, OverflowError):
+            return False
+        # Which integers are too large, and whether they may be negative, is not seen.
+        return True if name == "float" or 0 <= number < 2**31 else None
     if name in TYPES:
         return isinstance(value, TYPES[name])
-    return type(value).__name__.removesuffix("Type") == name
+    return name in [one.__name__.removesuffix("Type") for one in type(value).__mro__]
+
+
+def _parts_fit(value: Any, annotation: ast.Subscript) -> bool | None:
+    """The same of a Sequence[...], tuple[...] or Mapping[...]."""
+    kind = ast.unparse(annotation.value).rpartition(".")[2]
+    parts = annotation.slice.elts if isinstance(annotation.slice, ast.Tuple) else [annotation.slice]
+    if kind not in ("Sequence", "tuple", "Mapping"):
+        return None
+    if isinstance(value, (str, bytes)) or isinstance(value, Mapping) != (kind == "Mapping"):
+        return False
+    if not isinstance(value, (Sequence, Mapping)):
+        return None if hasattr(value, "__getitem__") else False
+    if kind == "tuple" and len(value) != len(parts):
+        return False
+    rows: Iterable[Any] = [value]
+    if kind != "tuple":
+        rows = value.items() if isinstance(value, Mapping) else ((one,) for one in value)
+    result: bool | None = True
+    for one, part in (pair for row in rows for pair in zip(row, parts)):
+        fits = _fits(one, part)
+        if fits is False:
+            return False
+        result = result and fits
+    return result
 
 
 def _listed(annotation: ast.expr | None) -> str:
@@ -107,7 +139,10 @@ def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
             return f"{one.arg}: is missing, expected {_listed(one.annotation)}"
     fits = {name: _fits(value, expected[name]) for name, value in given.items()}
     wrong = [name for name in given if fits[name] is False]
-    wrong = wrong or [name for name in given if fits[name] is None] or list(given)
+    wrong = wrong or [name for name in given if fits[name] is None]
+    if not wrong:
+        names = ", ".join(f"{name}: {_listed(expected[name])}" for name in given)
+        return f"arguments of a wrong type, expected {names}"
     return "; ".join(
         f"{name}: got {_got(given[name])}, expected {_listed(expected[name])}" for name in wrong
     )
