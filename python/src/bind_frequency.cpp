@@ -93,7 +93,8 @@ void bind_frequency(nb::module_& module) {
             return without_lock(
                 [&] { return cable_frequency(evenly_sampled(times, signals), within); });
         },
-        nb::arg("time"), nb::arg("signal"), nb::kw_only(), nb::arg("range").none() = nb::none(),
+        nb::arg("time"), nb::arg("signal"), nb::kw_only(),
+        nb::arg("search_range").none() = nb::none(),
         R"(Finds the fundamental of a cable in a vibration record.
 
 The spectrum is that of Welch (IEEE Trans. Audio Electroacoust. 15, 1967): Hann windows that overlap by
@@ -103,7 +104,7 @@ Soc. Am. 36, 1964), f_n = n f_0 sqrt(1 + B n^2).
 Args:
     time: of each sample, ascending (n,) [s]. Uneven times are interpolated to even ones.
     signal: acceleration, or any signal that is linear in the motion (n,), or of several axes (n, c).
-    range: where the fundamental is known to lie, (lowest, highest) [Hz].)");
+    search_range: where the fundamental is known to lie, (lowest, highest) [Hz].)");
 }
 
 }  // namespace taut::python

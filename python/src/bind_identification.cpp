@@ -69,10 +69,10 @@ Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& me
     std::ranges::move(tensions_by_sag(net, survey.form, on_cables),
                       std::back_inserter(forces.measurements));
     if (taut_edges) {
-        forces.taut = indices_argument(*taut_edges, "taut");
+        forces.taut = indices_argument(*taut_edges, "taut_edges");
     }
     if (slack_edges) {
-        forces.slack = indices_argument(*slack_edges, "slack");
+        forces.slack = indices_argument(*slack_edges, "slack_edges");
     }
     check_forces(net, forces);
     if (const std::string warning = force_unit_warning(net, forces.measurements);
@@ -149,7 +149,7 @@ void bind_identification(nb::module_& module) {
         },
         nb::arg("net"), nb::arg("survey"), nb::kw_only(), nb::arg("method") = nb::none(),
         nb::arg("prior") = nb::none(), nb::arg("model") = nb::none(), nb::arg("forces") = OfEdges(),
-        nb::arg("taut") = nb::none(), nb::arg("slack") = nb::none(),
+        nb::arg("taut_edges") = nb::none(), nb::arg("slack_edges") = nb::none(),
         nb::arg("uncertain") = std::vector<std::string>(), nb::arg("draws") = nb::none(),
         nb::arg("covariance_of") = nb::none(), nb::arg("estimate_noise") = false,
         nb::arg("prior_exact") = false, nb::arg("epochs") = std::vector<LaterSurvey>(),
@@ -162,8 +162,8 @@ Args:
     prior: of the length deviations, 'uniform:5mm'; by default a broad one.
     model: of train(), for 'gp'.
     forces: measured tensions, (edge, tension [N], std [N]) each.
-    taut: edges seen to carry tension.
-    slack: edges seen to carry none.
+    taut_edges: seen to carry tension.
+    slack_edges: seen to carry none.
     uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'. Of what is not given taut
         assumes 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm',
         'supports:1mm', where some are elastic 'support-stiffness:25%', of edges with a mass

@@ -72,10 +72,11 @@ ReadSurveyOptions options_of(std::optional<double> noise, const Given& given) {
         }
     };
     take("frame", [&](const std::string& text) { options.frame = frame_named(text); });
-    take("control", [&](const std::string& text) { options.control = text; });
+    take("control_points", [&](const std::string& text) { options.control = text; });
     take("unit", [&](const std::string& text) { options.unit = unit_named(text); });
     take("match", [&](const std::string& text) { options.matching = matching_named(text); });
-    take("format", [&](const std::string& t) { options.file.format = parse_survey_format(t); });
+    take("file_format",
+         [&](const std::string& t) { options.file.format = parse_survey_format(t); });
     take("columns", [&](const std::string& t) { options.file.columns = parse_survey_columns(t); });
     take("separator", [&](const std::string& t) { options.file.separator = parse_separator(t); });
     take("decimal", [&](const std::string& t) { options.file.decimal = parse_decimal_sign(t); });
@@ -91,7 +92,7 @@ ReadSurveyOptions options_of(std::optional<double> noise, const Given& given) {
         options.file.angle_unit = angle.full_unit;
         options.file.takes_observations = true;
     });
-    take("range", [&](const std::string& text) {
+    take("distance", [&](const std::string& text) {
         options.distance = parse_distance_precision(text);
         options.file.takes_observations = true;
     });

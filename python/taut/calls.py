@@ -13,7 +13,7 @@ import math
 import operator
 import re
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -28,6 +28,8 @@ RENAMED = {
     "unknowns": "uncertain",
     "further": "suggest_adjustable",
     "survey_first": "suggest_targets",
+    "taut": "taut_edges",
+    "slack": "slack_edges",
 }
 
 
@@ -148,11 +150,12 @@ def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
     )
 
 
-def _with_new_names(function: Any, name: str, kwargs: dict[str, Any]) -> dict[str, Any]:
+def _with_new_names(
+    name: str, kwargs: dict[str, Any], expected: Collection[str], renamed: dict[str, str]
+) -> dict[str, Any]:
     """Arguments under their names of this version, with a warning for each old one."""
-    _, expected = _arguments(function)
-    for old in [old for old in kwargs if old not in expected and RENAMED.get(old) in expected]:
-        new, value = RENAMED[old], kwargs.pop(old)
+    for old in [old for old in kwargs if old not in expected and renamed.get(old) in expected]:
+        new, value = renamed[old], kwargs.pop(old)
         if new in kwargs:
             raise TypeError(f"{name}: {old}: is the old name of {new}, which is given, too")
         note = f"{name}: {old} is now {new}"
@@ -165,6 +168,22 @@ def _with_new_names(function: Any, name: str, kwargs: dict[str, Any]) -> dict[st
     return kwargs
 
 
+def taking_old_names(**renamed: str) -> Callable[[Function], Function]:
+    """The same function of Python, which takes these arguments under their old names, too."""
+
+    def of(function: Function) -> Function:
+        expected = inspect.signature(function).parameters
+
+        @functools.wraps(function)
+        def call(*args: Any, **kwargs: Any) -> Any:
+            kwargs = _with_new_names(function.__name__, kwargs, expected, renamed)
+            return function(*args, **kwargs)
+
+        return cast("Function", call)
+
+    return of
+
+
 def naming_arguments(function: Function, name: str | None = None) -> Function:
     """The same function: its errors name the argument, and it takes the names of RENAMED."""
     refused = f"{function.__name__}(): incompatible function arguments"
@@ -173,7 +192,7 @@ def naming_arguments(function: Function, name: str | None = None) -> Function:
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
         if not RENAMED.keys().isdisjoint(kwargs):
-            kwargs = _with_new_names(function, call.__name__, kwargs)
+            kwargs = _with_new_names(call.__name__, kwargs, _arguments(function)[1], RENAMED)
         try:
             return function(*args, **kwargs)
         except TypeError as error:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from taut import _taut
+from taut import _taut, calls
 
 
 def _column(table: Any, name: str) -> NDArray[Any]:
@@ -93,6 +93,7 @@ def _text(name: str, value: object) -> str:
     return os.fspath(value)
 
 
+@calls.taking_old_names(control="control_points", range="distance", format="file_format")
 def read_survey(
     net: _taut.CableNet,
     source: str | os.PathLike[str] | ArrayLike | Mapping[str, ArrayLike],
@@ -100,14 +101,14 @@ def read_survey(
     ids: Iterable[object] | None = None,
     noise: ArrayLike | str | None = None,
     frame: str = "auto",
-    control: str | os.PathLike[str] | None = None,
+    control_points: str | os.PathLike[str] | None = None,
     unit: str | None = None,
     match: str = "auto",
     offset: str | None = None,
     offsets: str | os.PathLike[str] | None = None,
     angle: str | None = None,
-    range: str | None = None,  # noqa: A002
-    format: str | None = None,  # noqa: A002
+    distance: str | None = None,
+    file_format: str | None = None,
     columns: str | None = None,
     separator: str | None = None,
     decimal: str | None = None,
@@ -125,7 +126,7 @@ def read_survey(
         noise: standard deviation of each coordinate, one number, '0.5mm', or of points (3,) or
             (k, 3), where the source has none [m], whatever the unit of the coordinates.
         frame: 'net', 'supports' (fitted to those that are named), or 'auto'.
-        control: path of control points id, x, y, z in the net's frame, to fit the frame to.
+        control_points: path of control points id, x, y, z in the net's frame, to fit the frame to.
         unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points by default 'm'.
         match: find a point's node by its 'name', its 'place', or 'auto'.
         offset: of targets from the axis of the cable along the net's normal, and its standard
@@ -135,8 +136,8 @@ def read_survey(
     The rest is for files alone, where these do not say it:
 
         angle: standard deviation of each direction and zenith angle, '0.3mgon'.
-        range: standard deviation of each distance, '1mm+1.5ppm'.
-        format: 'table', 'xyz', 'pts', 'gsi', 'landxml', 'jobxml', 'gama', 'dxf'.
+        distance: standard deviation of each distance, '1mm+1.5ppm'.
+        file_format: 'table', 'xyz', 'pts', 'gsi', 'landxml', 'jobxml', 'gama', 'dxf'.
         columns: of a table, 'id,x,y,z,sx,sy,sz' in their order, '-' for one to leave out.
         separator: of a table, 'comma', 'semicolon', 'tab', 'blank'.
         decimal: sign of a table, 'point' or 'comma'.
@@ -155,11 +156,11 @@ def read_survey(
     if source is None:
         raise TypeError("source: got None, expected a path, points or a table")
     of_file = {
-        "angle": angle, "range": range, "format": format, "columns": columns,
+        "angle": angle, "distance": distance, "file_format": file_format, "columns": columns,
         "separator": separator, "decimal": decimal, "encoding": encoding,
     }  # fmt: skip
     given = {
-        "frame": frame, "control": control, "unit": unit, "match": match,
+        "frame": frame, "control_points": control_points, "unit": unit, "match": match,
         "offset": offset, "offsets": offsets, **of_file,
     }  # fmt: skip
     texts = {name: _text(name, value) for name, value in given.items() if value is not None}

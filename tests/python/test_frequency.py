@@ -53,7 +53,7 @@ def test_one_peak_needs_a_range(record):
     time, signal = record
     sine = np.sin(2 * np.pi * 9.5 * time) + signal[:, 0] % 0.1
     assert taut.frequency(time, sine).fundamental is None
-    found = taut.frequency(time, sine, range=(9, 10))
+    found = taut.frequency(time, sine, search_range=(9, 10))
     assert found.fundamental == pytest.approx(9.5, abs=0.02)
 
 
@@ -66,4 +66,4 @@ def test_bad_arguments_are_named(record):
         with pytest.raises(ValueError, match=words):
             taut.frequency(*arguments)
     with pytest.raises(ValueError, match="range"):
-        taut.frequency(time, signal, range=(4, 3))
+        taut.frequency(time, signal, search_range=(4, 3))

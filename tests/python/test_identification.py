@@ -112,6 +112,8 @@ def test_arguments_of_version_0_2_are_taken_with_a_warning(net, survey, found):
         assert len(taut.plan(found, further=1).suggested_adjustable) == 1
     with pytest.raises(TypeError, match="identify: law: is the old name of prior, which is given"):
         taut.identify(net, survey, law="uniform:3mm", prior="uniform:3mm")
+    with pytest.warns(DeprecationWarning, match="identify: taut is now taut_edges"):
+        taut.identify(net, survey, draws=0, taut=[0])
     with pytest.raises(TypeError, match="inspect: readings: is no argument"):
         taut.inspect(net, readings=[])
 
@@ -193,7 +195,7 @@ def test_measurements_are_suggested_by_their_worth(net):
         ({"method": "luck"}, "luck"),
         ({"draws": -1}, "draws"),
         ({"covariance_of": [10**6]}, "covariance"),
-        ({"slack": [0], "taut": [0]}, "slack"),
+        ({"slack_edges": [0], "taut_edges": [0]}, "slack"),
     ],
 )
 def test_arguments_that_contradict_each_other_are_refused(net, survey, settings, words):

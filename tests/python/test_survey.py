@@ -101,16 +101,28 @@ masked = np.ma.masked_array(three[0], mask=True)
         (two, {"match": "luck"}, ValueError, "match: got 'luck'"),
         (two, {"decimal": "comma"}, ValueError, "decimal: is for a file, and source holds points"),
         (two, {"unit": 1e-3}, TypeError, "unit: got float, expected text"),
+        (two, {"control_points": "absent.csv"}, ValueError, "absent.csv"),
         (7, {}, ValueError, r"source: got shape \(\)"),
         (None, {}, TypeError, "source: got None"),
         ("absent.csv", {}, ValueError, "absent.csv"),
         ("absent.csv", {"ids": ["1"]}, ValueError, "ids"),
+        ("absent.csv", {"file_format": "luck"}, ValueError, "no format 'luck'"),
+        ("absent.csv", {"distance": "far"}, ValueError, "'far' is no precision of distances"),
         ("absent.csv", {"encoding": "ebcdic"}, ValueError, "encoding: got 'ebcdic', expected"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_a_survey_is_refused_by_name(net, source, settings, error, words):
     with pytest.raises(error, match=words):
         taut.read_survey(net, source, **settings)
+
+
+def test_old_names_of_arguments_are_taken_with_a_warning(net):
+    with (
+        pytest.warns(DeprecationWarning, match="read_survey: format is now file_format") as warned,
+        pytest.raises(ValueError, match="no format 'luck'"),
+    ):
+        taut.read_survey(net, "absent.csv", format="luck")
+    assert warned[0].filename == __file__
 
 
 def test_what_is_no_net_is_refused_by_name(positions):
@@ -132,7 +144,9 @@ def test_settings_of_a_file(net, columns, tmp_path):
     ]
     path.write_text("\n".join(lines) + "\n", encoding="utf-16")
     settings = {"unit": "mm", "separator": "semicolon", "decimal": "comma", "encoding": "utf-16"}
-    survey = taut.read_survey(net, path, columns="id,y,x,z", format="table", noise=1e-3, **settings)
+    survey = taut.read_survey(
+        net, path, columns="id,y,x,z", file_format="table", noise=1e-3, **settings
+    )
     expected = taut.read_survey(net, columns, noise=None)
     assert survey.form == pytest.approx(expected.form, abs=1e-9)
 
@@ -158,7 +172,7 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
     assert "--" not in str(error.value)
     survey = taut.read_survey(net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=1e-4)
     with pytest.raises(ValueError, match="for the method map") as error:
-        taut.identify(net, survey, method="gp", uncertain=["stiffness:5%"], taut=[0])
+        taut.identify(net, survey, method="gp", uncertain=["stiffness:5%"], taut_edges=[0])
     assert "--" not in str(error.value)
     found = taut.identify(net, survey, prior="uniform:5mm", prior_exact=True, uncertain=["none"])
     assert found.findings
