@@ -4,7 +4,8 @@
 
 Of a net its plan; of a study (taut reproduce) those of the paper's section 5; of an
 identification lengths, tensions and residuals; of a plan the form before and after, strokes and
-tensions. In mm and kN.
+tensions. In Python also of an equilibrium the heights, of a survey its nodes, and of a predicted
+precision the standard deviations. In mm and kN.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from taut import _taut
 
 try:
     import matplotlib as mpl
@@ -64,16 +67,35 @@ def _plan_lines(net: Result, nodes: ArrayLike) -> Any:
     return np.asarray(nodes)[np.asarray(net["edges"])][:, :, :2]
 
 
+def _in_plan(axes: Axes) -> None:
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+
+
+def _dots(
+    axes: Axes,
+    places: NDArray[np.float64],
+    values: NDArray[np.float64],
+    label: str,
+    least: float | None = None,
+    most: float | None = None,
+) -> None:
+    """Numbers at places in plan, as colours."""
+    x, y, _ = places.T
+    dots = axes.scatter(x, y, c=values, s=9, cmap="viridis", vmin=least, vmax=most)
+    axes.figure.colorbar(dots, ax=axes, label=label, location="top", shrink=0.8, aspect=40)
+    _in_plan(axes)
+
+
 def _net_in_plan(axes: Axes, net: Result, nodes: ArrayLike) -> None:
     adjustable = np.zeros(len(net["edges"]), dtype=bool)
     adjustable[net.get("adjustable", [])] = True
     lines = _plan_lines(net, nodes)
     axes.add_collection(LineCollection(lines[~adjustable], colors=GREY, linewidths=0.5))
     axes.add_collection(LineCollection(lines[adjustable], colors=ORANGE, linewidths=0.7))
-    axes.set_aspect("equal")
     axes.autoscale_view()
-    axes.set_xlabel("x [m]")
-    axes.set_ylabel("y [m]")
+    _in_plan(axes)
 
 
 def _net(net: Result, nodes: ArrayLike) -> Drawing:
@@ -105,16 +127,8 @@ def _map(
         axes.add_collection(
             LineCollection(_plan_lines(net, nodes), colors="#c8ced4", linewidths=0.4, zorder=0)
         )
-        x, y, _ = np.asarray(nodes)[np.asarray(which)].T
-        dots = axes.scatter(
-            x, y, c=1e3 * np.asarray(values), s=9, cmap="viridis", vmin=0.0, vmax=most
-        )
-        axes.figure.colorbar(
-            dots, ax=axes, label=f"{label} [mm]", location="top", shrink=0.8, aspect=40
-        )
-        axes.set_aspect("equal")
-        axes.set_xlabel("x [m]")
-        axes.set_ylabel("y [m]")
+        places = np.asarray(nodes)[np.asarray(which)]
+        _dots(axes, places, 1e3 * np.asarray(values), f"{label} [mm]", 0.0, most)
 
     return draw, HIGH
 
@@ -295,6 +309,47 @@ def _plan(result: Result) -> Iterator[tuple[str, Drawing]]:
     yield "plan_tensions", (tensions, LOW)
 
 
+def _equilibrium(found: _taut.Equilibrium) -> Iterator[tuple[str, Drawing]]:
+    def heights(axes: Axes) -> None:
+        _dots(axes, found.form, found.form[:, 2], "z [m]")
+
+    yield "form_heights", (heights, HIGH)
+
+
+def _survey(survey: _taut.Survey) -> Iterator[tuple[str, Drawing]]:
+    def nodes(axes: Axes) -> None:
+        supports = np.setdiff1d(range(len(survey.form)), [*survey.surveyed, *survey.missing])
+        for which, marker, color, label in (
+            (supports, "o", "black", "support"),
+            (survey.surveyed, "o", BLUE, "surveyed"),
+            (survey.missing, "x", ORANGE, "not surveyed"),
+        ):
+            x, y, _ = survey.form[which].T
+            axes.plot(x, y, marker, color=color, markersize=2.5, label=label)
+        _in_plan(axes)
+        _legend(axes, 3)
+
+    yield "survey_plan", (nodes, HIGH)
+
+
+def _precision(precision: _taut.PredictedPrecision) -> Iterator[tuple[str, Drawing]]:
+    def stds(axes: Axes) -> None:
+        values = 1e3 * np.sort(precision.std)
+        axes.plot(np.arange(1, len(values) + 1), values, color=BLUE, label="after the survey")
+        axes.axhline(1e3 * precision.prior_std, color=GREY, linewidth=0.6, label="before")
+        axes.set_ylim(bottom=0.0)
+        axes.set_xlabel("interior edge, by its standard deviation")
+        axes.set_ylabel("standard deviation [mm]")
+        _legend(axes, 2)
+
+    yield "length_stds", (stds, LOW)
+
+
+_OF_OBJECTS: dict[type, Callable[[Any], Iterator[tuple[str, Drawing]]]] = {
+    _taut.Equilibrium: _equilibrium,
+    _taut.Survey: _survey,
+    _taut.PredictedPrecision: _precision,
+}
 _OF = {
     "taut-net": _net_alone,
     "taut-study": _study,
@@ -314,13 +369,17 @@ def _whole() -> Iterator[None]:
 
 
 def _drawings(result: Any) -> dict[str, Drawing]:
-    kind = type(result).__name__
-    if hasattr(result, "to_dict") and not isinstance(result, type):
+    if type(result) in _OF_OBJECTS:
+        return dict(_OF_OBJECTS[type(result)](result))
+    got = type(result).__name__
+    if isinstance(result, (_taut.CableNet, _taut.Identification, _taut.Plan)):
         result = result.to_dict()
     form = result.get("format") if isinstance(result, dict) else None
     if form not in list(_OF):
         raise ValueError(
-            f"result: got {kind} of the format {form!r}, expected one of {', '.join(_OF)}"
+            f"result: got {got if form is None else repr(form)}, which has no figures, expected "
+            "CableNet, Equilibrium, Survey, PredictedPrecision, Identification, Plan, or a dict of "
+            f"the format {', '.join(_OF)}"
         )
     status = result.get("status", "converged")
     if status != "converged":
@@ -333,15 +392,17 @@ def figures(result: Any) -> dict[str, Figure]:
     """The figures of a net or a result: {name: matplotlib.figure.Figure}.
 
     Args:
-        result: CableNet, Identification or Plan; what reproduce() returns; or what json.load()
-            gives of net.json, results.json, result.json or plan.json.
+        result: CableNet, Equilibrium, Survey, PredictedPrecision, Identification or Plan; what
+            reproduce() returns; or what json.load() gives of net.json, results.json, result.json
+            or plan.json.
 
     Raises:
         ValueError: for what is none of these.
     """
     made = {}
+    drawings = _drawings(result)
     with mpl.rc_context(STYLE), _whole():
-        for name, (draw_into, height) in _drawings(result).items():
+        for name, (draw_into, height) in drawings.items():
             made[name] = Figure(figsize=(COLUMN, height), layout="constrained")
             draw_into(made[name].add_subplot())
     return made

@@ -49,6 +49,20 @@ def test_figures_of_an_identification_and_a_plan(found):
     assert {"plan_normal_built", "plan_strokes", "plan_tensions"} <= set(figures)
 
 
+def test_figures_of_a_form_a_survey_and_a_predicted_precision(net, columns):
+    (heights,) = plot.figures(taut.solve_equilibrium(net)).values()
+    shown = np.array(heights.axes[0].collections[0].get_array())
+    assert shown == pytest.approx(net.nodes[:, 2], abs=1e-6)
+    some = taut.read_survey(net, {name: values[10:] for name, values in columns.items()})
+    (nodes,) = plot.figures(some).values()
+    assert line(nodes, "not surveyed") == pytest.approx(net.nodes[some.missing, 1])
+    assert len(line(nodes, "surveyed")) + len(some.missing) == len(net.free_nodes)
+    assert len(line(nodes, "support")) == len(net.supports)
+    precision = taut.inspect(net)
+    (stds,) = plot.figures(precision).values()
+    assert line(stds, "after the survey") == pytest.approx(1e3 * np.sort(precision.std))
+
+
 def test_a_figure_in_axes_of_ones_own(found):
     axes = Figure().subplots(1, 2)
     assert plot.draw(found, "length_intervals", ax=axes[0]) is axes[0]
@@ -57,8 +71,11 @@ def test_a_figure_in_axes_of_ones_own(found):
     assert plot.draw(found.net, "net_plan", ax=axes[1]).get_xlabel() == "x [m]"
     with pytest.raises(ValueError, match="name: got 'strokes', expected one of net_plan, length_"):
         plot.draw(found, "strokes", ax=axes[0])
-    for wrong in (found.net.nodes, taut.CableNet, {"format": []}):
-        with pytest.raises(ValueError, match="format"):
+    suggested = taut.suggest_measurements(found.net, count=1)
+    for wrong in (found.net.nodes, taut.CableNet, suggested, {"format": []}):
+        with pytest.raises(
+            ValueError, match=r"^result: got .*, which has no figures, expected Cab"
+        ):
             plot.figures(wrong)
     with pytest.raises(TypeError, match="ax: got ndarray, expected"):
         plot.draw(found, "net_plan", ax=axes)
