@@ -21,6 +21,7 @@ from taut._taut import FittedProcesses
 try:
     from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
     from sklearn.exceptions import ConvergenceWarning
+    from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
     from sklearn.utils import check_random_state
     from sklearn.utils.validation import check_is_fitted, validate_data
 except ImportError as _error:
@@ -37,8 +38,8 @@ __all__ = ["FittedProcesses", "MultiOutputGP", "fit"]
 class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
     """One process an output, with an isotropic squared exponential kernel and noise.
 
-    Inputs are not scaled: scale features of different kinds first, by a StandardScaler say. The
-    mean of each output is subtracted first.
+    Inputs are not scaled: scale features of different kinds first, by a StandardScaler say. Before
+    fit() there are no hyperparameters, so that predict() raises NotFittedError and gives no prior.
 
     Args:
         relative_tolerance: the search for length scales ends when no output is expected to gain
@@ -49,10 +50,13 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
             fitted by low rank, in O(n^2 rank) and without any n x n matrix, with length scales
             found from so many samples, or 2000.
         rank: directions of the kernel matrix that are then kept, at most.
+        normalize_y: subtract the mean of each output first; False: processes have the mean 0. The
+            scale of an output needs none, since its signal and noise are estimated.
 
     Attributes:
         length_scale_, signal_std_, noise_std_: hyperparameters of each output (m,); 0 where an
             output is constant. The kernel is signal_std^2 exp(-|x - x'|^2 / (2 length_scale^2)).
+        kernel_: the same as a kernel of scikit-learn, noise included; of y (n, m) a list of them.
         log_marginal_likelihood_: of each output (m,).
         n_iter_: decompositions that were made.
         leave_one_out_rmse_: of each output (m,), of predictions at each input, trained without it.
@@ -80,11 +84,13 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         max_spectra: int = 200,
         most_decomposed: int = 3000,
         rank: int = 1500,
+        normalize_y: bool = True,
     ):
         self.relative_tolerance = relative_tolerance
         self.max_spectra = max_spectra
         self.most_decomposed = most_decomposed
         self.rank = rank
+        self.normalize_y = normalize_y
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> MultiOutputGP:
         """Estimates hyperparameters by maximum marginal likelihood: X (n, d), y (n,) or (n, m)."""
@@ -93,7 +99,8 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         )
         self._is_flat = targets.ndim == 1
         outputs = np.asarray(targets, dtype=np.float64).reshape(len(inputs), -1)
-        self._mean = outputs.mean(axis=0)
+        is_constant = np.ptp(outputs, axis=0) == 0.0
+        self._mean = np.where(self.normalize_y | is_constant, outputs.mean(axis=0), 0.0)
         self._processes = fit(
             inputs,
             outputs - self._mean,
@@ -122,6 +129,16 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.approximation_error_ = self._processes.approximation_error
         return self
 
+    @property
+    def kernel_(self) -> Any:
+        """The kernel of each output."""
+        check_is_fitted(self)
+        kernels = [
+            ConstantKernel(signal**2) * RBF(scale or 1.0) + WhiteKernel(noise**2)
+            for scale, signal, noise in zip(self.length_scale_, self.signal_std_, self.noise_std_)
+        ]
+        return kernels[0] if self._is_flat else kernels
+
     def _inputs(self, X: ArrayLike) -> Any:
         check_is_fitted(self)
         return validate_data(self, X, reset=False, dtype=np.float64)
@@ -129,20 +146,31 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def _shaped(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         return values[:, 0] if self._is_flat else values
 
-    def predict(self, X: ArrayLike, return_std: bool = False, return_cov: bool = False) -> Any:
+    def predict(
+        self,
+        X: ArrayLike,
+        return_std: bool = False,
+        return_cov: bool = False,
+        include_noise: bool = False,
+    ) -> Any:
         """Mean at X (k, d): (k,) or (k, m), of the latent function.
 
-        With its standard deviation in the same shape, or its covariance (k, k) or (k, k, m).
+        With its standard deviation in the same shape, or its covariance (k, k) or (k, k, m); with
+        include_noise those of new observations.
         """
         if return_std and return_cov:
             raise RuntimeError("expected at most one of return_std and return_cov")
         inputs = self._inputs(X)
         mean, std = self._processes.predict(inputs)
         mean = self._shaped(mean + self._mean)
+        noise = self.noise_std_ if include_noise else np.zeros(len(self._mean))
         if return_cov:
-            of_each = [self._processes.covariance(k, inputs) for k in range(len(self._mean))]
+            of_each = [
+                self._processes.covariance(k, inputs) + noise[k] ** 2 * np.eye(len(inputs))
+                for k in range(len(noise))
+            ]
             return mean, of_each[0] if self._is_flat else np.stack(of_each, axis=-1)
-        return (mean, self._shaped(std)) if return_std else mean
+        return (mean, self._shaped(np.hypot(std, noise))) if return_std else mean
 
     def sample_y(
         self, X: ArrayLike, n_samples: int = 1, random_state: Any = 0

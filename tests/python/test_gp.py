@@ -10,6 +10,7 @@ import pytest
 pytest.importorskip("sklearn")
 
 from sklearn.exceptions import ConvergenceWarning
+from sklearn.gaussian_process import GaussianProcessRegressor
 from sklearn.pipeline import make_pipeline
 from sklearn.preprocessing import StandardScaler
 from sklearn.utils.estimator_checks import parametrize_with_checks
@@ -55,6 +56,24 @@ def test_covariances_are_those_of_the_standard_deviations(data):
     assert np.sqrt(np.einsum("iim->im", covariance)) == pytest.approx(std, rel=1e-6, abs=1e-9)
     of_one = MultiOutputGP().fit(inputs, outputs[:, 0])
     assert of_one.predict(at, return_cov=True)[1].shape == (5, 5)
+
+
+def test_noise_and_mean_are_those_of_scikit_learn(data):
+    inputs, outputs = data
+    at = np.array([[0.5, 0.5], [2.9, -2.9], [60.0, 60.0]])
+    model = MultiOutputGP(normalize_y=False).fit(inputs, outputs + 100.0)
+    ours = model.predict(at, return_std=True, include_noise=True)
+    of_each = model.predict(at, return_cov=True, include_noise=True)[1]
+    for k, kernel in enumerate(model.kernel_[:2]):
+        theirs = GaussianProcessRegressor(kernel, optimizer=None).fit(inputs, outputs[:, k] + 100.0)
+        mean, std = theirs.predict(at, return_std=True)  # of new observations, by the WhiteKernel
+        assert ours[0][:, k] == pytest.approx(mean, abs=1e-4)
+        assert ours[1][:, k] == pytest.approx(std, rel=1e-4)
+        assert of_each[:, :, k] == pytest.approx(theirs.predict(at, return_cov=True)[1], abs=1e-4)
+    assert ours[0][2] == pytest.approx([0.0, 0.0, 104.0], abs=1e-6)
+    centred = MultiOutputGP().fit(inputs, outputs[:, 0] + 100.0)
+    assert centred.predict(at)[2] == pytest.approx(100.0, abs=0.5)
+    assert centred.kernel_.k1.k2.length_scale == centred.length_scale_[0]
 
 
 def test_samples_have_the_mean_and_spread_that_are_predicted(data):
