@@ -69,6 +69,7 @@ def from_compas(
         text,
         name,
         select,
+        structure,
         axial_stiffness=axial_stiffness,
         young=young,
         diameter=diameter,
@@ -85,6 +86,7 @@ def _net_of_json(
     text: str,
     name: str,
     select: str,
+    structure: Any,
     *,
     supports: Iterable[object] | None,
     loads: str,
@@ -106,10 +108,44 @@ def _net_of_json(
             "loads, expected those of its form: unstressed lengths follow from them"
         )
     if notes["left_out"]:
-        warnings.warn(f"{name}: left out: {', '.join(notes['left_out'])}", stacklevel=4)
+        missing = _left_out(structure, net) if hasattr(structure, "edges") else ""
+        parts = ", ".join(notes["left_out"])
+        warnings.warn(f"{name}: left out: {parts}{missing}", stacklevel=4)
     for warning in notes["warnings"]:
         warnings.warn(warning, stacklevel=4)
     return net
+
+
+def _keys_by_name(structure: Any) -> dict[str, Any]:
+    """The keys of a structure by the names that a net has of them: those of their attribute, where
+    each has one of its own, else the keys as text."""
+    is_mesh = hasattr(structure, "vertices")
+    keys = list(structure.vertices() if is_mesh else structure.nodes())
+    attribute = structure.vertex_attribute if is_mesh else structure.node_attribute
+    names = [attribute(key, "name") for key in keys]
+    if not all(isinstance(name, str) and name for name in names) or len({*names}) < len(names):
+        names = [str(key) for key in keys]
+    return dict(zip(names, keys))
+
+
+def _left_out(structure: Any, net: _taut.CableNet) -> str:
+    """The keys of the first five nodes and edges of a structure that its net does not have."""
+    keys = _keys_by_name(structure)
+    taken = {keys.get(net.node_id(node)): node for node in range(len(net.nodes))}
+    edges = {frozenset(edge) for edge in np.asarray(net.edges).tolist()}
+    missing = {
+        "nodes": [key for key in keys.values() if key not in taken],
+        "edges": [
+            edge for edge in structure.edges() if frozenset(map(taken.get, edge)) not in edges
+        ],
+    }
+    texts = [
+        f"{what} {', '.join(map(str, those[:5]))}"
+        + (f" and {len(those) - 5} more" if len(those) > 5 else "")
+        for what, those in missing.items()
+        if those
+    ]
+    return f" ({'; '.join(texts)})" if texts else ""
 
 
 def to_compas(net: _taut.CableNet, form: ArrayLike | None = None, like: Any = None) -> Any:
@@ -165,7 +201,7 @@ def _put_on(like: Any, graph: Any) -> Any:
     is_mesh = hasattr(like, "vertices")
     result = like.copy()
     place = result.vertex_attributes if is_mesh else result.node_attributes
-    keys = {str(key): key for key in (result.vertices() if is_mesh else result.nodes())}
+    keys = _keys_by_name(result)
     of_edges = _given(
         [
             "q",
