@@ -61,13 +61,16 @@ def _in_script(text: str) -> str:
 
 
 def _cell() -> str | None:
-    """The cell that runs, where the front end of the notebook names it."""
+    """The cell that runs: its name, or where the front end gives none, the number of the run."""
     ipython = sys.modules.get("IPython")
-    kernel = getattr(ipython.get_ipython() if ipython else None, "kernel", None)
-    try:
-        return str(kernel.get_parent()["metadata"]["cellId"]) if kernel and share_page else None
-    except (AttributeError, KeyError, TypeError):
+    shell: Any = ipython.get_ipython() if ipython else None
+    kernel = getattr(shell, "kernel", None)
+    if kernel is None or not share_page:
         return None
+    try:
+        return str(kernel.get_parent()["metadata"]["cellId"])
+    except (AttributeError, KeyError, TypeError):
+        return str(shell.execution_count)
 
 
 def result_html(result: _taut.Identification | _taut.Plan) -> str:

@@ -4,6 +4,8 @@
 
 import json
 import re
+import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -197,24 +199,28 @@ def test_a_notebook_shows_net_identification_and_plan(net, found):
 
 
 @pytest.mark.skipif(not taut.has_report_viewer(), reason="built without the report's viewer")
-def test_a_notebook_has_the_page_of_reports_once(found, monkeypatch):
+@pytest.mark.parametrize("cells", ["abc", (1, 2, 3)], ids=["named", "numbered"])
+def test_a_notebook_has_the_page_of_reports_once(cells, found, monkeypatch):
     monkeypatch.setattr(notebook, "_holder", ("", ""))
 
     def shown_in(cell, result):
-        monkeypatch.setattr(notebook, "_cell", lambda: cell)
+        metadata = {"cellId": cell} if isinstance(cell, str) else {}
+        kernel = SimpleNamespace(get_parent=lambda: {"metadata": metadata}) if cell else None
+        shell = SimpleNamespace(kernel=kernel, execution_count=cell)
+        monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
         return result._repr_mimebundle_()["text/html"]
 
     results = (found, taut.plan(found), found)
-    first, second, third = map(shown_in, "abc", results)
+    first, second, third = map(shown_in, cells, results)
     digest = re.search(r'data-taut-page="(\w+)"', first)[1]
     for shown in (second, third):
         assert len(shown) < 0.1 * len(first)
         assert f'iframe[data-taut-page="{digest}"]' in shown
         (frame,) = re.findall(r'<iframe [^>]*id="(taut-\w+)"', shown)
         assert f"""querySelectorAll('[id="{frame}"]')""" in shown
-    assert len(shown_in("a", found)) > 500_000, "the cell with the page was run once more"
-    assert len(shown_in("b", found)) < 0.1 * len(first)
-    assert len(shown_in(None, found)) > 500_000, "in front ends that name no cells"
+    assert len(shown_in(cells[0], found)) > 500_000, "the cell with the page was run once more"
+    assert len(shown_in(cells[1], found)) < 0.1 * len(first)
+    assert len(shown_in(None, found)) > 500_000, "outside of notebooks"
     assert found._repr_html_() == shown_in(None, found), "for a file"
     (data,) = re.findall(r"slice\(0, begin\) \+ (.*) \+ page", third)
     assert json.loads(json.loads(data)) == json.loads(found.to_json())
