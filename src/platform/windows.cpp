@@ -69,10 +69,9 @@ std::error_code make_new_file(const std::filesystem::path& path) {
 
 bool is_writable(const std::filesystem::path& path) {
     const DWORD attributes = GetFileAttributesW(path.c_str());
-    return attributes != INVALID_FILE_ATTRIBUTES &&
-           ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ||
-            ((attributes & FILE_ATTRIBUTE_READONLY) == 0 &&
-             open(path, GENERIC_WRITE, OPEN_EXISTING)));
+    return attributes != INVALID_FILE_ATTRIBUTES && ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ||
+                                                     ((attributes & FILE_ATTRIBUTE_READONLY) == 0 &&
+                                                      open(path, GENERIC_WRITE, OPEN_EXISTING)));
 }
 
 std::error_code copy_access(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -105,8 +104,7 @@ std::error_code NamelessFile::give_name(const std::filesystem::path& /*name*/) c
 
 std::error_code flush_file(const std::filesystem::path& path) {
     const Handle file = open(path, GENERIC_WRITE, OPEN_EXISTING);
-    return file && FlushFileBuffers(file.get()) != 0 ? std::error_code()
-                                                     : error_of(GetLastError());
+    return file && FlushFileBuffers(file.get()) != 0 ? std::error_code() : error_of(GetLastError());
 }
 
 /// The system keeps the order of changes of a directory itself.
