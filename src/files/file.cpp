@@ -11,14 +11,13 @@
 #include "files/message.hpp"
 #include "files/open_file.hpp"
 #include "files/output_places.hpp"
-#include "platform/platform.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
 namespace {
 
 void write_content(AtomicFile& file, const std::filesystem::path& name, std::string_view content) {
-    const File stream(platform::open_stream(file.temporary(), "wb"));
+    const File stream(std::fopen(file.temporary().c_str(), "wb"));
     if (!stream || std::fwrite(content.data(), 1, content.size(), stream.get()) < content.size() ||
         std::fflush(stream.get()) != 0) {
         throw OutputError(name, "cannot be written: " + error_text(errno));
@@ -71,7 +70,7 @@ File open_file(const std::filesystem::path& path) {
     if (is_directory(path, error)) {
         throw InputError(path.string(), "", "is a directory, expected a file");
     }
-    File file(platform::open_stream(path, "rb"));
+    File file(std::fopen(path.c_str(), "rb"));
     if (!file) {
         const int failure = errno;
         const std::string problem = "cannot be read: " + error_text(failure);
