@@ -61,12 +61,11 @@ source_with() { # header
     esac
 }
 
-# Sources that have changed since a commit, and for each header that has, one that includes it. Those for
-# WebAssembly are not compiled here.
+# Sources that have changed since a commit, and for each header that has, one that includes it.
 changed_since() {
     local file
     { git diff --name-only --diff-filter=d "$1" && git ls-files --others --exclude-standard; } |
-        grep --extended-regexp '^(src|apps|include)/.*pp$' | grep --invert-match 'wasi\.cpp$' | sort --unique | while IFS= read -r file; do
+        grep --extended-regexp '^(src|apps|include)/.*pp$' | sort --unique | while IFS= read -r file; do
         case "$file" in
             *.cpp) echo "$file" ;;
             *) source_with "$file" ;;
