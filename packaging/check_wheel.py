@@ -15,7 +15,7 @@ measured = taut.simulate_survey(net, form, noise="0.5mm", seed=3)
 found = taut.identify(net, taut.read_survey(net, measured))
 plan = taut.plan(found)
 print(f"taut {taut.__version__}: {found.trust}, {len(plan.strokes)} strokes")
-assert found.trust == "passed", found.reasons
+assert found.trust == "passed", found.message
 
 with tempfile.TemporaryDirectory() as temporary:
     name = Path(temporary, "r\u00e9sultat")  # names are not ASCII alone
