@@ -34,7 +34,7 @@ taut::BuiltNet identified(const CableNet& net, int draws) {
 }
 
 taut::Limits limits_of(const CableNet& net) {
-    taut::Limits limits = taut::limits_of_stroke(net, net.adjustable_edges().size(), 0.015);
+    taut::Limits limits = taut::stroke_limits(net, net.adjustable_edges(), 0.015);
     limits.tension.lower.setConstant(1.5e3);
     limits.tension.upper.setConstant(10e3);
     return limits;
@@ -74,6 +74,7 @@ void two_epochs(benchmark::State& state) {
                                           {.survey = survey_of(net, 2), .turned = {}}};
     taut::IdentifyOptions options;
     options.prior = prior;
+    options.draws = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(taut::identify_epochs(net, epochs, options).edges.data());
     }

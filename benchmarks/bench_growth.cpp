@@ -56,11 +56,11 @@ void train(benchmark::State& state) {
     const CableNet net = taut::hilo_quarter();
     const auto samples = static_cast<int>(state.range(0));
     const taut::Sampler sampler(net, {}, 1);
-    taut::DataSet data = sampler.empty();
-    sampler.extend(data, samples);
+    taut::DataSet data = sampler.no_samples();
+    sampler.extend_to(data, samples);
     const std::vector<int> indices = data.converged_in(0, samples);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::train(net, data, indices).processes.weights.data());
+        benchmark::DoNotOptimize(taut::train_model(net, data, indices).processes.weights.data());
     }
     state.counters["size"] = static_cast<double>(indices.size());
 }
@@ -86,8 +86,9 @@ void identify(benchmark::State& state) {
                         .missing = {}};
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            taut::identify(net, survey,
-                           {.method = taut::IdentificationMethod::map, .prior = one_millimetre})
+            taut::identify(
+                net, survey,
+                {.method = taut::IdentificationMethod::map, .prior = one_millimetre, .draws = 0})
                 .edges.data());
     }
     state.counters["size"] = net.interior_edge_count();

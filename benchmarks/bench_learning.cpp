@@ -23,8 +23,8 @@ const taut::CableNet& net() {
 const taut::DataSet& data_set() {
     static const taut::DataSet data = [] {
         const taut::Sampler sampler(net(), {}, 1);
-        taut::DataSet drawn = sampler.empty();
-        sampler.extend(drawn, samples);
+        taut::DataSet drawn = sampler.no_samples();
+        sampler.extend_to(drawn, samples);
         return drawn;
     }();
     return data;
@@ -32,7 +32,7 @@ const taut::DataSet& data_set() {
 
 const taut::LengthModel& model() {
     static const taut::LengthModel trained =
-        taut::train(net(), data_set(), data_set().converged_in(0, training_samples));
+        taut::train_model(net(), data_set(), data_set().converged_in(0, training_samples));
     return trained;
 }
 
@@ -40,8 +40,8 @@ void sample_1000_forms(benchmark::State& state) {
     const taut::CableNet net = taut::hilo_quarter();
     for (auto _ : state) {
         const taut::Sampler sampler(net, {}, 1);
-        taut::DataSet data = sampler.empty();
-        sampler.extend(data, samples);
+        taut::DataSet data = sampler.no_samples();
+        sampler.extend_to(data, samples);
         benchmark::DoNotOptimize(data.form_deviations.data());
     }
 }
@@ -59,7 +59,8 @@ BENCHMARK(one_kernel_spectrum)->Unit(benchmark::kMillisecond)->UseRealTime();
 void train_536_processes(benchmark::State& state) {
     const std::vector<int> indices = data_set().converged_in(0, training_samples);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::train(net(), data_set(), indices).processes.weights.data());
+        benchmark::DoNotOptimize(
+            taut::train_model(net(), data_set(), indices).processes.weights.data());
     }
 }
 BENCHMARK(train_536_processes)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(2);

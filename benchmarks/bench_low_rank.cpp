@@ -28,8 +28,8 @@ const taut::CableNet& net() {
 const taut::DataSet& data_set() {
     static const taut::DataSet data = [] {
         const taut::Sampler sampler(net(), {}, 1);
-        taut::DataSet drawn = sampler.empty();
-        sampler.extend(drawn, test_forms + most_samples);
+        taut::DataSet drawn = sampler.no_samples();
+        sampler.extend_to(drawn, test_forms + most_samples);
         return drawn;
     }();
     return data;
@@ -44,7 +44,7 @@ void train(benchmark::State& state, int most_decomposed) {
     const Eigen::MatrixXd forms = data_set().form_deviations.leftCols(test_forms);
     const Eigen::MatrixXd lengths = data_set().length_deviations.leftCols(test_forms);
     for (auto _ : state) {
-        const taut::LengthModel model = taut::train(net(), data_set(), samples, settings);
+        const taut::LengthModel model = taut::train_model(net(), data_set(), samples, settings);
         state.PauseTiming();
         const taut::LengthEstimates found = taut::estimate_lengths(net(), model, forms);
         double off = 0.0;
@@ -52,7 +52,7 @@ void train(benchmark::State& state, int most_decomposed) {
             off += process.approximation_error * process.approximation_error;
         }
         state.counters["squared_error_mm2"] = 1e6 * (found.mean - lengths).cwiseAbs2().mean();
-        state.counters["mean_std_mm"] = 1e3 * found.std.mean();
+        state.counters["mean_std_mm"] = 1e3 * found.std_dev.mean();
         state.counters["approximation_error_mm"] =
             1e3 * std::sqrt(off / static_cast<double>(model.processes.processes.size()));
         state.ResumeTiming();

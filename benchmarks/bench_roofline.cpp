@@ -214,8 +214,8 @@ const CableNet& net() {
 const DataSet& data_set() {
     static const DataSet data = [] {
         const Sampler sampler(net(), {}, 1);
-        DataSet drawn = sampler.empty();
-        sampler.extend(drawn, 1000);
+        DataSet drawn = sampler.no_samples();
+        sampler.extend_to(drawn, 1000);
         return drawn;
     }();
     return data;
@@ -223,7 +223,7 @@ const DataSet& data_set() {
 
 const LengthModel& model() {
     static const LengthModel trained =
-        train(net(), data_set(), data_set().converged_in(0, training_samples));
+        train_model(net(), data_set(), data_set().converged_in(0, training_samples));
     return trained;
 }
 

@@ -41,9 +41,9 @@ struct Shared {
             }
         }
         const taut::Sampler sampler(net, prior, 1);
-        taut::DataSet data = sampler.empty();
-        sampler.extend(data, 200);
-        model = taut::train(net, data, data.converged_in(0, data.size()));
+        taut::DataSet data = sampler.no_samples();
+        sampler.extend_to(data, 200);
+        model = taut::train_model(net, data, data.converged_in(0, data.size()));
     }
 };
 
@@ -77,6 +77,7 @@ void map(benchmark::State& state) {
         taut::IdentifyOptions options;
         options.method = taut::IdentificationMethod::map;
         options.prior = prior;
+        options.draws = 0;
         benchmark::DoNotOptimize(
             taut::identify(shared().net, shared().survey, options).edges.data());
     });

@@ -16,11 +16,11 @@ int main() {
 
     // Algorithm 2: random lengths, and the forms that follow from them.
     const taut::Sampler sampler(net, prior, 1);
-    taut::DataSet data = sampler.empty();
-    sampler.extend(data, 401);
+    taut::DataSet data = sampler.no_samples();
+    sampler.extend_to(data, 401);
 
     // Algorithm 1: one Gaussian process an edge. The last sample is left out: it is the built net.
-    const taut::LengthModel model = taut::train(net, data, data.converged_in(0, 400));
+    const taut::LengthModel model = taut::train_model(net, data, data.converged_in(0, 400));
 
     taut::Survey survey;
     survey.form =

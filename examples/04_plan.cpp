@@ -21,7 +21,7 @@ int main() {
         net, taut::simulate_survey(net, taut::solve_equilibrium(site).form,
                                    {.noise_std = 0.5e-3, .dropped_part = 0.1}));
 
-    const taut::Identification found = taut::identify(net, survey, {.prior = prior, .draws = 100});
+    const taut::Identification found = taut::identify(net, survey, {.prior = prior});
     if (found.trust.verdict() != taut::Trust::Verdict::passed) {
         std::cerr << found.trust.findings.front().reason << '\n';
         return 1;
@@ -29,7 +29,7 @@ int main() {
 
     // Back to the design, by quarter turns of 5 mm; between 1.5 and 10 kN in every cable.
     const taut::BuiltNet built = taut::built_net_of(net, found);
-    taut::Limits limits = taut::limits_of_stroke(net, net.adjustable_edges().size(), 0.015);
+    taut::Limits limits = taut::stroke_limits(net, net.adjustable_edges(), 0.015);
     limits.tension.lower.setConstant(1.5e3);
     limits.tension.upper.setConstant(10e3);
     const taut::TurnSize turn{.pitch = 0.005, .smallest = 0.25};

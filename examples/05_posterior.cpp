@@ -35,7 +35,6 @@ int main() {
     // Two edges at the hidden node: where one is longer, the other may be shorter.
     taut::IdentifyOptions options;
     options.prior = prior;
-    options.draws = 200;
     for (const int edge : net.edges_at(hidden)) {
         if (net.interior_index(edge) >= 0 && options.covariance_of.size() < 2) {
             options.covariance_of.push_back(edge);

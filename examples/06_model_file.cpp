@@ -15,10 +15,10 @@ int main() {
     const taut::CableNet net = taut::hypar(5, 5);
     const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.003};  // m
     const taut::Sampler sampler(net, prior, 1);
-    taut::DataSet data = sampler.empty();
-    sampler.extend(data, 201);
+    taut::DataSet data = sampler.no_samples();
+    sampler.extend_to(data, 201);
     // The fingerprint of the net is stored: a model is refused for another net.
-    taut::write_model(file, taut::train(net, data, data.converged_in(0, 200)), {.net = net});
+    taut::write_model(file, taut::train_model(net, data, data.converged_in(0, 200)), {.net = net});
 
     const taut::StoredModel stored = taut::read_model(file);
     taut::Survey survey;

@@ -27,7 +27,7 @@ int main() {
                 net, taut::draw_length_deviations(prior, who, k, net.interior_edge_count()));
             const taut::Equilibrium form = solver.solve(lengths, net.nodes());
             least_tension =
-                std::min(least_tension, taut::tensions(net, lengths, form.form).minCoeff());
+                std::min(least_tension, taut::tensions_of(net, lengths, form.form).minCoeff());
         }
         least[who] = least_tension;
     };

@@ -41,11 +41,11 @@ std::string detectable_text(const DetectableErrors& errors) {
 /// The next step with the option of its remedy: "Use this standard deviation (--noise 0.71mm)."
 std::string advice(const Trust::Finding& finding) {
     if (!finding.remedy) {
-        return finding.next;
+        return finding.advice;
     }
     const auto& [parameter, value] = *finding.remedy;
-    return fmt::format("{} (--{}{}{}).", finding.next.substr(0, finding.next.size() - 1), parameter,
-                       value.empty() ? "" : " ", value);
+    return fmt::format("{} (--{}{}{}).", finding.advice.substr(0, finding.advice.size() - 1),
+                       parameter, value.empty() ? "" : " ", value);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void print_checks(const Trust& trust, const DetectableErrors& detectable) {
             all[i].reason);
         const bool is_repeated =
             count < shown && i + 1 < all.size() && advice(all[i + 1]) == advice(all[i]);
-        if (!all[i].next.empty() && !is_repeated) {
+        if (!all[i].advice.empty() && !is_repeated) {
             say("    {}\n", advice(all[i]));
         }
     }
@@ -89,11 +89,11 @@ void print_assumptions(const Identification& result) {
     bool has_default = false;
     std::vector<std::string> not_shown;
     for (const Assumption& one : result.assumptions) {
-        text += fmt::format("{}{}{}", text.empty() ? "" : ", ", one.parameter.to_string(),
+        text += fmt::format("{}{}{}", text.empty() ? "" : ", ", to_string(one.parameter),
                             one.is_default ? " (assumed)" : "");
         has_default = has_default || one.is_default;
         if (!one.is_testable) {
-            not_shown.push_back(one.parameter.to_string());
+            not_shown.push_back(to_string(one.parameter));
         }
     }
     say("uncertain besides lengths: {}\n  --uncertain NAME:WIDTH changes one, --uncertain none "

@@ -98,8 +98,8 @@ std::string comparison_table(const Comparison& comparison) {
     std::string text = fmt::format(
         "{} surveys of each kind ({}, seed {}), {} of them with slack edges; {} samples drawn, {} "
         "not converged\n",
-        comparison.surveys, settings.prior.to_string(), settings.seed,
-        comparison.surveys_with_slack, comparison.samples, comparison.not_converged);
+        comparison.surveys, to_string(settings.prior), settings.seed, comparison.surveys_with_slack,
+        comparison.samples, comparison.not_converged);
     const int training = settings.common_training();
     const auto is_common = [training](const ComparisonRow& row) {
         return row.training_samples.value_or(training) == training;

@@ -82,7 +82,7 @@ void run(const ControlCommand& command) {
         say("{}", json);
         return;
     }
-    say("uncertain besides the lengths ({}): {} (--uncertain)\n", settings.prior.to_string(),
+    say("uncertain besides the lengths ({}): {} (--uncertain)\n", to_string(settings.prior),
         to_string(settings.uncertain));
     say("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
         "along its normal [mm]", "tension [kN]", "limits", "by at", "not");

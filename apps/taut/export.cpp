@@ -158,7 +158,7 @@ Exported exported_net(const ExportOptions& options) {
         it.form = "equilibrium";
         net = in_equilibrium(net, it.lengths);
     }
-    it.balance = imbalance(net, net.unstressed_lengths(), net.nodes());
+    it.balance = imbalance_of(net, net.unstressed_lengths(), net.nodes());
     it.slack = slack_edges(net, net.unstressed_lengths(), net.nodes());
     warn_of_imbalance(it);
     warn_of_left_out(options, it);

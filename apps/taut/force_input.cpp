@@ -35,9 +35,9 @@ const std::string uncertain_text =
 ForceFormat format_of(const ForceOptions& options) {
     ForceFormat format{.unit = options.force_unit == "kN" ? 1e3 : 1.0};
     const bool is_part = options.force_noise.ends_with('%');
-    double& std = is_part ? format.relative_std : format.std;
-    std = is_part ? parse_part(options.force_noise) : parse_force(options.force_noise);
-    if (!(std > 0.0)) {
+    double& std_dev = is_part ? format.relative_std : format.std_dev;
+    std_dev = is_part ? parse_part(options.force_noise) : parse_force(options.force_noise);
+    if (!(std_dev > 0.0)) {
         throw std::invalid_argument(fmt::format(
             "--force-noise is '{}', expected a standard deviation above 0", options.force_noise));
     }
@@ -214,7 +214,7 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
         return forces;
     }
     const ForceFormat format = format_of(options);
-    const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd designed = tensions_of(net, net.unstressed_lengths(), net.nodes());
     for (const int edge : parse_edge_list(net, text, options.forces)) {
         if (!(designed(edge) > 0.0) && !net.is_strut(edge)) {
             throw InputError(options.forces, "",
@@ -222,9 +222,10 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
                                          "tension to measure",
                                          net.edge_id(edge)));
         }
-        const double std =
-            format.std > 0.0 ? format.std : format.relative_std * std::abs(designed(edge));
-        forces.measurements.push_back({.edge = edge, .tension = designed(edge), .std = std});
+        const double std_dev =
+            format.std_dev > 0.0 ? format.std_dev : format.relative_std * std::abs(designed(edge));
+        forces.measurements.push_back(
+            {.edge = edge, .tension = designed(edge), .std_dev = std_dev});
     }
     return forces;
 }

@@ -101,7 +101,7 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
     if (!s.solved()) {
         throw NumericalFailure(fmt::format("{}: no equilibrium was found: {}", options.net, text));
     }
-    const Imbalance balance = imbalance(net, lengths, s.form);
+    const Imbalance balance = imbalance_of(net, lengths, s.form);
     return {.form = s.form,
             .status = std::string(to_string(s.status)),
             .text = text,

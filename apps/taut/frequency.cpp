@@ -59,7 +59,7 @@ FrequencyRange parse_frequency_range(const std::string& text) {
 
 nlohmann::ordered_json to_json(const Fundamental& of) {
     return {{"frequency", of.frequency},
-            {"std", of.std},
+            {"std", of.std_dev},
             {"inharmonicity", of.inharmonicity},
             {"misfit", of.misfit},
             {"probability", of.probability}};
@@ -70,7 +70,7 @@ nlohmann::ordered_json to_json(const FrequencyOptions& options, const VibrationR
     nlohmann::ordered_json peaks = nlohmann::ordered_json::array();
     for (const FrequencyPeak& peak : found.peaks) {
         peaks.push_back({{"frequency", peak.frequency},
-                         {"std", peak.std},
+                         {"std", peak.std_dev},
                          {"level", peak.level},
                          {"mode", peak.mode}});
     }
@@ -108,8 +108,8 @@ void print(const FrequencyOptions& options, const VibrationRecord& record,
     say("  {:<16}{:>15}{:>10}{:>19}\n", "mode", "frequency [Hz]", "std [Hz]", "above noise [dB]");
     for (const FrequencyPeak& peak : found.peaks) {
         say("  {:<16}{:>15.4f}{:>10.4f}{:>19.0f}\n",
-            peak.mode > 0 ? std::to_string(peak.mode) : "not explained", peak.frequency, peak.std,
-            10.0 * std::log10(peak.level));
+            peak.mode > 0 ? std::to_string(peak.mode) : "not explained", peak.frequency,
+            peak.std_dev, 10.0 * std::log10(peak.level));
     }
     for (const Fundamental& one : found.candidates) {
         constexpr double least_shown = 0.01;
@@ -117,7 +117,7 @@ void print(const FrequencyOptions& options, const VibrationRecord& record,
         if (&one == &found.candidates.front() || one.probability >= least_shown) {
             say("{}fundamental {:.4f} Hz, std {:.4f} Hz: probability {:.0f} %, explains {} of {} "
                 "peaks, misfit {:.2g} % RMS, B {:.2g}\n",
-                &one == &found.candidates.front() ? "\n" : "  or ", one.frequency, one.std,
+                &one == &found.candidates.front() ? "\n" : "  or ", one.frequency, one.std_dev,
                 100.0 * one.probability, count, one.modes.size(), 100.0 * one.misfit,
                 one.inharmonicity);
         }

@@ -44,7 +44,7 @@ void print_forces(const CableNet& net, const Identification& result) {
         say("  together they contradict the survey, by which tensions are {:.2g} +- {:.2g} times "
             "the measured ones.\n  taut used none of them. Check their unit, their calibration "
             "and the net's stiffness.\n",
-            1.0 - result.force_bias->part, result.force_bias->std);
+            1.0 - result.force_bias->part, result.force_bias->std_dev);
     }
     if (result.contradicted_taut.empty() && result.contradicted_slack.empty()) {
         return;
@@ -112,7 +112,7 @@ void print_stretches(const CableNet& net, const Identification& result) {
         say("cable that slides, edges {} to {}, friction up to {:.2g}: {:+.2f} mm, std {:.2f} mm, "
             "of {:.4g} m; {:.4g} kN, std {:.2g} kN\n",
             net.edge_id(stretch.edges.front()), net.edge_id(stretch.edges.back()), stretch.friction,
-            1e3 * stretch.length_deviation, 1e3 * stretch.std, stretch.nominal,
+            1e3 * stretch.length_deviation, 1e3 * stretch.std_dev, stretch.nominal,
             1e-3 * stretch.tension, 1e-3 * stretch.tension_std);
     }
 }
@@ -128,7 +128,7 @@ void print_draws(const CableNet& net, const Identification& result) {
         return;
     }
     say("mean tension: {}\n  from {} posterior samples: {}{}\n",
-        tension_text(result.drawn.mean_tension), draws.count(), draws.how,
+        tension_text(result.drawn.mean_tension), draws.count(), draws.method,
         exact_parameters(net, result));
 }
 
@@ -152,7 +152,7 @@ void print_epochs(const CableNet& net, const Identification& result) {
             });
             say("  {:<12} changed by {:+.2f} +- {:.2f} mm\n",
                 net.edge_id(change.edge) + (slides ? " or another of its cable" : ""),
-                1e3 * change.change, 1e3 * change.std);
+                1e3 * change.change, 1e3 * change.std_dev);
         }
     }
 }
@@ -180,7 +180,7 @@ void print_largest(const CableNet& net, const Identification& result) {
                                   1e-3 * t.upper);
         }
         say("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}{}  {}\n", net.edge_id(e.edge),
-            1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper, tension,
+            1e3 * e.length_deviation, 1e3 * e.std_dev, 1e3 * e.lower, 1e3 * e.upper, tension,
             status_text(e.status));
     }
 }
@@ -208,9 +208,9 @@ void print_frame(const Identification& result) {
         return;
     }
     const FrameOffset& frame = *result.frame_offset;
-    const auto text = [](const Eigen::Vector3d& v, const Eigen::Vector3d& std) {
+    const auto text = [](const Eigen::Vector3d& v, const Eigen::Vector3d& std_dev) {
         return fmt::format("({:.2f}, {:.2f}, {:.2f}) +- ({:.2f}, {:.2f}, {:.2f})", v.x(), v.y(),
-                           v.z(), std.x(), std.y(), std.z());
+                           v.z(), std_dev.x(), std_dev.y(), std_dev.z());
     };
     say("coordinate system of the survey: the supports are moved by {} mm and rotated by {} mrad\n",
         text(1e3 * frame.translation, 1e3 * frame.translation_std),
@@ -224,11 +224,12 @@ void print_identification(const CableNet& net, const SurveyOptions& options, con
     print_checks(result.trust, result.detectable);
     say("{}\n{}", counts_text(net), survey_text(net, options, survey));
     print_assumptions(result);
-    say("method {}: {}\n  chosen because: {}\n\n", result.method, result.how, result.method_reason);
-    if (const auto [ratio, std] = result.scales.noise; ratio > 0.0 && std > 0.0) {
+    say("method {}: {}\n  chosen because: {}\n\n", result.method, result.description,
+        result.method_reason);
+    if (const auto [ratio, std_dev] = result.scales.noise; ratio > 0.0 && std_dev > 0.0) {
         constexpr double to_95 = 1.96;
         say("variance factor: {:.2f} (expected {:.2f} to {:.2f})\n", ratio,
-            std::max(1.0 - to_95 * std, 0.0), 1.0 + to_95 * std);
+            std::max(1.0 - to_95 * std_dev, 0.0), 1.0 + to_95 * std_dev);
     } else if (result.noise_ratio > 0.0) {
         say("variance factor: {:.2f}\n", result.noise_ratio);
     }

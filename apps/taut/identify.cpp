@@ -150,12 +150,13 @@ void run(const Options& options) {
     settings.forces = read_forces(net, options, survey);
     settings.uncertain = options.uncertain.given(net, options.net);
     settings.assume_site = options.uncertain.assume_site();
-    const std::int64_t draws = options.draws.value_or(default_draws(net));
-    check_draws(net, draws);
-    settings.draws = static_cast<int>(draws);
+    if (options.draws) {
+        check_draws(net, *options.draws);
+        settings.draws = static_cast<int>(*options.draws);
+    }
     settings.estimate_noise = options.noise == estimated_noise;
     std::vector<Epoch> epochs = read_epochs(net, survey, options.epochs, options, options.json);
-    check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names},
+    check_outputs({options.output, options.draws != 0 ? options.draws_file() : "", options.names},
                   options.inputs());
     settings.covariance_of = covariance_edges(net, options);
     ProgressLine line(options.quiet);

@@ -105,7 +105,7 @@ Inspection inspect(const CableNet& net) {
     Equilibrium equilibrium = solve_equilibrium(net);
     const Eigen::VectorXd unstressed = equilibrium.unstressed_lengths;
     const Eigen::VectorXd lengths = edge_lengths(net, net.nodes());
-    const Eigen::VectorXd edge_tensions = tensions(net, unstressed, net.nodes());
+    const Eigen::VectorXd edge_tensions = tensions_of(net, unstressed, net.nodes());
     Analysis analysis = analyse(net, equilibrium);
     Eigen::VectorXd strains = lengths.cwiseQuotient(unstressed).array() - 1.0;
     strains = (edge_tensions.array() == 0.0).select(0.0, strains);
@@ -119,7 +119,7 @@ Inspection inspect(const CableNet& net) {
                          .mean = mean_weights(net).dot(edge_tensions),
                          .max = edge_tensions.maxCoeff()},
             .strains = range_of(strains),
-            .imbalance = imbalance(net, unstressed, net.nodes()),
+            .imbalance = imbalance_of(net, unstressed, net.nodes()),
             .slack_edges = slack_edges(net, unstressed, net.nodes()),
             .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
             .equilibrium = std::move(equilibrium),

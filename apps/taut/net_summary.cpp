@@ -58,12 +58,12 @@ std::string balance_text(double out_of_balance, double mean_tension) {
 FormCheck check_form(const CableNet& net, const Eigen::VectorXd& lengths, const Points& form,
                      const Points& edge_forces) {
     if (net.has_struts()) {
-        return {.energy = energy(net, lengths, form),
+        return {.energy = potential_energy(net, lengths, form),
                 .smallest_stiffness = smallest_stiffness(net, lengths, form)};
     }
     const EnergyCertificate certificate = edge_forces.cols() > 0
-                                              ? certify(net, lengths, form, edge_forces)
-                                              : certify(net, lengths, form);
+                                              ? energy_certificate(net, lengths, form, edge_forces)
+                                              : energy_certificate(net, lengths, form);
     return {.energy = certificate.energy, .certificate = certificate};
 }
 

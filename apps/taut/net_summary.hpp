@@ -32,7 +32,7 @@ struct FormCheck {
     std::optional<EnergyCertificate> certificate;
     double smallest_stiffness = 0.0;  ///< of a net with struts [N/m]
 };
-/// @param edge_forces as of certify(), or 3 x 0
+/// @param edge_forces as of energy_certificate(), or 3 x 0
 [[nodiscard]] FormCheck check_form(const CableNet& net, const Eigen::VectorXd& lengths,
                                    const Points& form, const Points& edge_forces = Points(3, 0));
 

@@ -65,7 +65,7 @@ std::string paper_table(const Study& study) {
     std::string text = fmt::format(
         "{} samples ({}, seed {}): {} for training, {} for validation; {} with slack edges, {} not "
         "converged\n",
-        study.data.size(), study.settings.prior.to_string(), study.settings.seed,
+        study.data.size(), to_string(study.settings.prior), study.settings.seed,
         study.model.training_count(), study.validation.size(), study.data.with_slack(),
         study.data.not_converged());
     if (study.net.free_node_count() != paper.free_nodes ||

@@ -41,9 +41,9 @@ void print_uncertain(const CableNet& net, const Identification& result) {
         const auto text = [&](double value) { return in_unit(parameter, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            say("{}: {} from the {}, std {}{}\n", parameter.to_string(), text(first->mean),
+            say("{}: {} from the {}, std {}{}\n", to_string(parameter), text(first->mean),
                 parameter.kind == UncertainParameter::Kind::creep ? "first survey" : "design",
-                text(first->std).substr(1),
+                text(first->std_dev).substr(1),
                 first->is_observed() ? "" : " (not shown by the survey)");
         } else {
             const auto shown = std::count_if(
@@ -53,10 +53,10 @@ void print_uncertain(const CableNet& net, const Identification& result) {
             });
             say("{}: the survey determines {} of {}; the farthest from the design is {}{} by {}, "
                 "std {}\n",
-                parameter.to_string(), shown, count,
+                to_string(parameter), shown, count,
                 farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
                 farthest->axis >= 0 ? fmt::format(" ({})", "xyz"[farthest->axis]) : "",
-                text(farthest->mean), text(farthest->std).substr(1));
+                text(farthest->mean), text(farthest->std_dev).substr(1));
         }
         first = last;
     }

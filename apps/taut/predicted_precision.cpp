@@ -56,8 +56,8 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
     for (const EdgePrecision& e : lengths.edges) {
         edges.push_back({{"edge", e.edge},
                          {"id", net.edge_id(e.edge)},
-                         {"std", e.std},
-                         {"ratio", e.std / lengths.prior_std},
+                         {"std", e.std_dev},
+                         {"ratio", e.std_dev / lengths.prior_std},
                          {"status", to_string(e.status)}});
     }
     nlohmann::ordered_json forces = nlohmann::ordered_json::array();
@@ -65,7 +65,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
         forces.push_back({{"edge", force.edge},
                           {"id", net.edge_id(force.edge)},
                           {"tension", force.tension},
-                          {"tension_std", force.std},
+                          {"tension_std", force.std_dev},
                           {"mean_tension_std", force.mean_std_if_measured}});
     }
     nlohmann::ordered_json document{
@@ -73,7 +73,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& preci
         {"used", precision.survey.surveyed.size()},
         {"missing", precision.survey.missing.size()},
         {"missing_nodes", precision.survey.missing},
-        {"prior", precision.prior.to_string()},
+        {"prior", to_string(precision.prior)},
         {"prior_std", lengths.prior_std},
         {"rms_std", lengths.rms_std()},
         {"determined", lengths.count(EdgeStatus::determined)},
@@ -100,17 +100,19 @@ std::string precision_text(const CableNet& net, const PredictedSurvey& precision
         "  std of a length deviation: {:.3g} mm RMS over the interior edges, {:.3g} mm by the "
         "prior\n"
         "  {:<12}{:>10}{:>12}  status\n",
-        precision.prior.to_string(), lengths.count(EdgeStatus::determined),
+        to_string(precision.prior), lengths.count(EdgeStatus::determined),
         lengths.count(EdgeStatus::weakly_determined), lengths.count(EdgeStatus::not_determined),
         lengths.count(EdgeStatus::slack), 1e3 * lengths.rms_std(), 1e3 * lengths.prior_std,
         "worst edges", "std [mm]", "of prior");
     std::vector<EdgePrecision> worst = lengths.edges;
-    std::ranges::sort(worst, {}, [](const EdgePrecision& e) { return std::pair(-e.std, e.edge); });
+    std::ranges::sort(worst, {},
+                      [](const EdgePrecision& e) { return std::pair(-e.std_dev, e.edge); });
     constexpr size_t shown = 8;
     for (size_t i = 0; i < std::min(shown, worst.size()); ++i) {
         const EdgePrecision& e = worst[i];
-        text += fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std,
-                            100.0 * e.std / lengths.prior_std, status_text(e.status));
+        text +=
+            fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std_dev,
+                        100.0 * e.std_dev / lengths.prior_std, status_text(e.status));
     }
     if (precision.suggestions) {
         return text + suggestions_text(net, *precision.suggestions);

@@ -64,8 +64,8 @@ std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataS
         };
         require(data.net_fingerprint == wanted.net_fingerprint, "net", data.net_fingerprint,
                 wanted.net_fingerprint);
-        require(data.prior == wanted.prior, "prior", data.prior.to_string(),
-                wanted.prior.to_string());
+        require(data.prior == wanted.prior, "prior", to_string(data.prior),
+                to_string(wanted.prior));
         require(data.uncertain == wanted.uncertain, "uncertain parameters",
                 to_string(data.uncertain), to_string(wanted.uncertain));
         require(data.seed == wanted.seed, "seed", std::to_string(data.seed),
@@ -97,7 +97,7 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
                 interval = std::min(2 * interval, longest_checkpoint_interval);
             }
         };
-        sampler.extend(data, options.count, line.progress(), keep_now_and_then);
+        sampler.extend_to(data, options.count, line.progress(), keep_now_and_then);
     } catch (const PeerFailed& failure) {
         if (data.size() > 0) {
             try {
@@ -125,12 +125,12 @@ void print_outcome(const SampleOptions& options, const CableNet& net, const Data
     if (options.json) {
         nlohmann::ordered_json uncertain = nlohmann::ordered_json::array();
         for (const UncertainParameter& parameter : data.uncertain) {
-            uncertain.push_back(parameter.to_string());
+            uncertain.push_back(to_string(parameter));
         }
         const nlohmann::ordered_json document{{"format", "taut-sampling"},
                                               {"version", 1},
                                               {"net", counts_json(net)},
-                                              {"prior", data.prior.to_string()},
+                                              {"prior", to_string(data.prior)},
                                               {"seed", data.seed},
                                               {"uncertain", uncertain},
                                               {"samples", data.size()},
@@ -143,7 +143,7 @@ void print_outcome(const SampleOptions& options, const CableNet& net, const Data
         return;
     }
     say("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n", counts_text(net),
-        data.size(), data.prior.to_string(), data.seed, data.with_slack(), data.not_converged());
+        data.size(), to_string(data.prior), data.seed, data.with_slack(), data.not_converged());
     if (!data.uncertain.empty()) {
         say("sampled besides the lengths: {}\n", to_string(data.uncertain));
     }
@@ -157,7 +157,7 @@ void run(const SampleOptions& options) {
     const NetFile net = read_net(options.net);
     const Sampler sampler(net.net, options.prior, options.seed,
                           options.uncertain.given(net.net, options.net));
-    DataSet data = sampler.empty();
+    DataSet data = sampler.no_samples();
     if (!process_group().is_first()) {
         draw(options, net, sampler, data);
         return;

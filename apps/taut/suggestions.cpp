@@ -110,8 +110,8 @@ nlohmann::ordered_json to_json(const CableNet& net, const MeasurementSuggestions
         if (one.expected > 0.0) {
             step["expected"] = one.expected;
         }
-        if (one.std > 0.0) {
-            step["measurement_std"] = one.std;
+        if (one.std_dev > 0.0) {
+            step["measurement_std"] = one.std_dev;
         }
         step["remaining_std"] = one.remaining_std;
         step["total_cost"] = one.total_cost;
@@ -119,7 +119,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const MeasurementSuggestions
     }
     return {{"quantity", to_string(suggestions.quantity)},
             {"mean_tension", suggestions.mean_tension},
-            {"std", suggestions.std},
+            {"std", suggestions.std_dev},
             {"steps", steps},
             {"left_out", suggestions.left_out}};
 }
@@ -130,14 +130,14 @@ std::string suggestions_text(const CableNet& net, const MeasurementSuggestions& 
                              : suggestions.quantity == SoughtQuantity::mean_tension
                                  ? "mean tension"
                                  : "least known tension";
-    const auto std_text = [&](double std) {
-        return is_form
-                   ? fmt::format("{:.3g} mm", 1e3 * std)
-                   : fmt::format("{:.3g} % of {:.4g} kN", 100.0 * std / suggestions.mean_tension,
-                                 1e-3 * suggestions.mean_tension);
+    const auto std_text = [&](double std_dev) {
+        return is_form ? fmt::format("{:.3g} mm", 1e3 * std_dev)
+                       : fmt::format("{:.3g} % of {:.4g} kN",
+                                     100.0 * std_dev / suggestions.mean_tension,
+                                     1e-3 * suggestions.mean_tension);
     };
     std::string text = fmt::format("{}: std {} after the survey{}\n", name,
-                                   std_text(suggestions.std), is_form ? ", RMS" : "");
+                                   std_text(suggestions.std_dev), is_form ? ", RMS" : "");
     if (suggestions.steps.empty()) {
         text += "  no further measurement by itself lowers it by 1 %\n";
     } else {

@@ -69,7 +69,7 @@ void simulate_observations(const SurveySimulationOptions& options, const CableNe
                              {"surveyed_supports", net.supports().size()},
                              {"stations", survey.stations.size()},
                              {"angle", simulation.angle_std},
-                             {"distance", distance.std},
+                             {"distance", distance.std_dev},
                              {"distance_part", distance.part},
                              {"named", !simulation.shuffled},
                              {"seed", simulation.seed},
@@ -81,7 +81,7 @@ void simulate_observations(const SurveySimulationOptions& options, const CableNe
         counts_text(net), free_points, net.free_node_count(), net.supports().size(),
         survey.stations.size(), survey.stations.size() == 1 ? "" : "s",
         simulation.shuffled ? ", under arbitrary names and in any order" : "", angle,
-        1e3 * distance.std, 1e6 * distance.part, options.output);
+        1e3 * distance.std_dev, 1e6 * distance.part, options.output);
 }
 
 void run(const SurveySimulationOptions& given) {
@@ -90,7 +90,7 @@ void run(const SurveySimulationOptions& given) {
     if (!options.offset.empty()) {
         const TargetOffset offset = parse_target_offset(options.offset);
         simulation.offset = offset.offset;
-        simulation.offset_std = offset.std;
+        simulation.offset_std = offset.std_dev;
     }
     simulation.random_frame = options.frame == "random";
     const CableNet net = read_net(options.net).net;

@@ -72,7 +72,7 @@ void print_tension_targets(const PlanRecord& record) {
             "edge " + record.net->edge_id(one.edge), 1e-3 * one.target, 1e-3 * one.tolerance,
             1e-3 * one.as_built, 1e-3 * one.planned, 1e-3 * one.unconstrained,
             has_draws ? fmt::format("{:>8.2f} +- {:<4.2f}{:>5.0f} %", 1e-3 * *one.mean,
-                                    1e-3 * *one.std, 100.0 * *one.probability)
+                                    1e-3 * *one.std_dev, 100.0 * *one.probability)
                       : "");
     }
     if (targets.size() > shown) {
@@ -83,8 +83,9 @@ void print_tension_targets(const PlanRecord& record) {
     say("{} of {} target tensions are within their tolerance{}\n", within, targets.size(),
         has_draws ? ", in the mean of the samples" : ", by the estimate");
     print_obstacles(record, targets);
-    const auto unknown = std::ranges::count_if(
-        targets, [](const ReachedTension& one) { return one.std && *one.std >= one.tolerance; });
+    const auto unknown = std::ranges::count_if(targets, [](const ReachedTension& one) {
+        return one.std_dev && *one.std_dev >= one.tolerance;
+    });
     if (unknown > 0) {
         say("  The survey shows {} of them no better than their tolerance. Measure forces: "
             "identify --forces.\n",

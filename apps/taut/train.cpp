@@ -89,9 +89,9 @@ void run(const TrainOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const LengthModel model = [&] {
         ProgressLine line(options.quiet);
-        return train(stored.net.net, stored.data, samples,
-                     options.as_in_paper ? TrainingSettings::paper() : options.settings,
-                     line.progress());
+        return train_model(stored.net.net, stored.data, samples,
+                           options.as_in_paper ? TrainingSettings::paper() : options.settings,
+                           line.progress());
     }();
     if (!process_group().is_first()) {
         return;

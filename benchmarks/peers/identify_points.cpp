@@ -38,8 +38,7 @@ void answer_lines(const taut::CableNet& net, const std::vector<taut::SurveyPoint
     for (std::string line; std::getline(std::cin, line);) {
         const auto start = std::chrono::steady_clock::now();
         const taut::Survey survey = taut::read_survey(net, points, {.noise_std = noise_std});
-        const taut::Identification found =
-            taut::identify(net, survey, {.draws = taut::default_draws(net)});
+        const taut::Identification found = taut::identify(net, survey);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         double sum = 0.0;
         for (const taut::IdentifiedEdge& edge : found.edges) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "taut/abi.hpp"
+#include "taut/error.hpp"
 #include "taut/export/core.hpp"
 
 namespace taut {
@@ -48,17 +49,20 @@ public:
 };
 
 /// Another process of the group failed. what() is the message of that process.
-class TAUT_CORE_EXPORT PeerFailed : public std::runtime_error {
+class TAUT_CORE_EXPORT PeerFailed : public std::runtime_error, public Error {
+public:
     using std::runtime_error::runtime_error;
+    [[nodiscard]] ErrorCode code() const noexcept override { return ErrorCode::peer; }  ///< Error
 };
 
 /// Does the work as one process of a group. Each process makes the same calls with the same
 /// arguments. These calls share their work:
 ///
-///     Sampler::extend()    each process draws a part of each block; the first process's data set
+///     Sampler::extend_to()   each process draws a part of each block; the first process's data set
 ///                          receives the samples, those of the others stay unchanged
 ///     draw_samples()       likewise, but each process receives the samples
-///     gp::fit(), train()   two processes decompose for alternate values of lambda, as long as
+///     gp::fit(), train_model()   two processes decompose for alternate values of lambda, as long
+///     as
 ///                          there are two; low-rank work is done by each process
 ///     compare_methods(), simulate_control()
 ///                          each process does every size()th trial

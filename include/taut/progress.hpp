@@ -7,13 +7,17 @@
 #include <string_view>
 
 #include "taut/abi.hpp"
+#include "taut/error.hpp"
 #include "taut/export/core.hpp"
 
 namespace taut {
 
 /// Thrown if a stop was requested before the work was done.
-class TAUT_CORE_EXPORT Interrupted : public std::runtime_error {
+class TAUT_CORE_EXPORT Interrupted : public std::runtime_error, public Error {
 public:
+    [[nodiscard]] ErrorCode code() const noexcept override {
+        return ErrorCode::interrupted;
+    }  ///< Error
     /// With the message "interrupted".
     Interrupted() : std::runtime_error("interrupted") {}
 };

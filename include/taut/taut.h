@@ -88,9 +88,19 @@ TAUT_API void taut_free_survey(taut_survey* survey);
  * options: JSON object, each key may be missing; NULL: none. "prior": "normal:2mm", "uncertain":
  *   ["stiffness:3%", "supports:2mm"], to which the default assumptions are added, or "none";
  *   "prior_exact", "estimate_noise": true or false; "method": "map", "gp" or "balance"; "draws",
- *   "seed": integers. All mean what they mean to taut identify. */
+ *   "seed": integers; "forces" and "frequencies": the content of these files, as
+ *   "edge,tension,std\nc1,12000,240\n" in N or Hz; "free_length_std": "10mm"; "taut_edges",
+ *   "slack_edges": [identifiers]. All mean what they mean to taut identify. */
 TAUT_API taut_result* taut_identify(const taut_net* net, const taut_survey* survey,
                                     const char* options);
+/* The same from two or more surveys of one net, in their order; the result is of the last without
+ * loads of its own.
+ * surveys: count of them
+ * options: as above, and of each survey but the first "turned": what was turned before it, and
+ *   "loads": what hung on the net at it alone, lists of the content of these files,
+ *   ["edge,stroke,std\nr1,0.005,0.0003\n", ""] in m or N; "": nothing */
+TAUT_API taut_result* taut_identify_epochs(const taut_net* net, const taut_survey* const* surveys,
+                                           int count, const char* options);
 TAUT_API void taut_free_result(taut_result* result);
 /* "passed", "doubtful" or "failed". Valid as long as the result. */
 TAUT_API const char* taut_verdict(const taut_result* result);

@@ -49,7 +49,7 @@ void bind_frequency(nb::module_& module) {
             "speaks against it: see message.")
         .def_prop_ro(
             "fundamental_std",
-            [](const CableFrequency& self) { return of_fundamental(self, &Fundamental::std); },
+            [](const CableFrequency& self) { return of_fundamental(self, &Fundamental::std_dev); },
             "Its standard deviation [Hz].")
         .def_prop_ro(
             "inharmonicity",
@@ -62,7 +62,7 @@ void bind_frequency(nb::module_& module) {
         .def("__repr__", [](const CableFrequency& self) {
             return self.fundamental
                        ? fmt::format("CableFrequency({:.4f} Hz, std {:.4f} Hz, {} peaks)",
-                                     self.fundamental->frequency, self.fundamental->std,
+                                     self.fundamental->frequency, self.fundamental->std_dev,
                                      self.peaks.size())
                        : fmt::format("CableFrequency(none: {})", self.message);
         });

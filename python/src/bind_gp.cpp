@@ -70,13 +70,13 @@ gp::Prediction predict(const gp::FittedProcesses& fitted, const Eigen::MatrixXd&
     }
     const auto outputs = static_cast<Eigen::Index>(fitted.processes.size());
     gp::Prediction all{.mean = Eigen::MatrixXd(outputs, at.cols()),
-                       .std = Eigen::MatrixXd(outputs, at.cols())};
+                       .std_dev = Eigen::MatrixXd(outputs, at.cols())};
     for (Eigen::Index first = 0; first < at.cols(); first += block) {
         reporter.throw_if_stopped();
         const Eigen::Index count = std::min(block, at.cols() - first);
         const gp::Prediction part = fitted.predict(at.middleCols(first, count));
         all.mean.middleCols(first, count) = part.mean;
-        all.std.middleCols(first, count) = part.std;
+        all.std_dev.middleCols(first, count) = part.std_dev;
     }
     return all;
 }
@@ -137,7 +137,7 @@ void bind_gp(nb::module_& module) {
                     return predict(self, at, reporter);
                 });
                 return nb::make_tuple(array_of_columns(std::move(made.mean)),
-                                      array_of_columns(std::move(made.std)));
+                                      array_of_columns(std::move(made.std_dev)));
             },
             nb::arg("inputs"),
             "Mean and standard deviation of the latent functions at inputs (k, d): (k, m) each.")

@@ -51,19 +51,20 @@ Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& me
                     const std::optional<ArrayLike>& taut_edges,
                     const std::optional<ArrayLike>& slack_edges) {
     Forces forces;
-    for (const auto& [edge, tension, std] : measured) {
-        forces.measurements.push_back({.edge = edge, .tension = tension, .std = std});
+    for (const auto& [edge, tension, std_dev] : measured) {
+        forces.measurements.push_back({.edge = edge, .tension = tension, .std_dev = std_dev});
     }
-    for (const auto& [edge, frequency, mode, std] : frequencies) {
+    for (const auto& [edge, frequency, mode, std_dev] : frequencies) {
         forces.measurements.push_back(tension_by_frequency(
-            net, survey.form, {.edge = edge, .frequency = frequency, .mode = mode, .std = std},
+            net, survey.form,
+            {.edge = edge, .frequency = frequency, .mode = mode, .std_dev = std_dev},
             free_length_std));
     }
     std::vector<SagPoint> on_cables;
-    for (const auto& [edge, places, std] : sags) {
+    for (const auto& [edge, places, std_dev] : sags) {
         const Points points = points_argument(places, "sag", -1);
         for (Eigen::Index k = 0; k < points.cols(); ++k) {
-            on_cables.push_back({.edge = edge, .position = points.col(k), .std = std});
+            on_cables.push_back({.edge = edge, .position = points.col(k), .std_dev = std_dev});
         }
     }
     std::ranges::move(tensions_by_sag(net, survey.form, on_cables),
@@ -95,8 +96,8 @@ Identified identified(const CableNet& net, const Survey& survey, const IdentifyO
         std::visit(
             [&](const auto& parts) {
                 Epoch epoch{.survey = std::get<0>(parts), .turned = {}};
-                for (const auto& [edge, stroke, std] : std::get<1>(parts)) {
-                    epoch.turned.push_back({.edge = edge, .stroke = stroke, .std = std});
+                for (const auto& [edge, stroke, std_dev] : std::get<1>(parts)) {
+                    epoch.turned.push_back({.edge = edge, .stroke = stroke, .std_dev = std_dev});
                 }
                 if constexpr (std::tuple_size_v<std::decay_t<decltype(parts)>> == 3) {
                     epoch.loads = points_argument(std::get<2>(parts), "loads", net.node_count());
@@ -125,8 +126,9 @@ void bind_identification(nb::module_& module) {
            const std::vector<LaterSurvey>& epochs, const Frequencies& frequencies,
            const QuantityLike& free_length_std, const Sags& sag, std::uint64_t seed,
            const nb::object& progress) {
-            const std::int64_t count = draws.value_or(default_draws(net));
-            check_draws(net, count);
+            if (draws) {
+                check_draws(net, *draws);
+            }
             IdentifyOptions options{
                 .prior = prior_given(prior),
                 .prior_exact = prior_exact,
@@ -136,7 +138,7 @@ void bind_identification(nb::module_& module) {
                 .uncertain = uncertain_given(net, uncertain),
                 .assume_site = assumes_site(uncertain),
                 .model = model,
-                .draws = static_cast<int>(count),
+                .draws = draws,
                 .estimate_noise = estimate_noise,
                 .seed = seed};
             if (method) {

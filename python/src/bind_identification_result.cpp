@@ -120,7 +120,7 @@ void bind_numbers(nb::class_<Identified>& result) {
                      "Unstressed lengths as designed (m_I,) [m].")
         .def_prop_ro("length_deviation", of_edges(&IdentifiedEdge::length_deviation),
                      "Estimate of the true length minus the nominal one (m_I,) [m].")
-        .def_prop_ro("std", of_edges(&IdentifiedEdge::std),
+        .def_prop_ro("std", of_edges(&IdentifiedEdge::std_dev),
                      "Standard deviation of the estimate (m_I,) [m].")
         .def_prop_ro("lower", of_edges(&IdentifiedEdge::lower),
                      "Lower end of the 95 % interval of the deviation (m_I,) [m].")
@@ -291,11 +291,11 @@ void bind_identification_result(nb::module_& module) {
             "method", [](const Identified& self) { return self.found.method; },
             "'map', 'balance' or 'gp'.")
         .def_prop_ro(
-            "how", [](const Identified& self) { return in_python(self.found.how); },
+            "how", [](const Identified& self) { return in_python(self.found.description); },
             "What was done, in words.")
         .def_prop_ro(
             "length_prior",
-            [](const Identified& self) { return self.found.length_prior.to_string(); },
+            [](const Identified& self) { return to_string(self.found.length_prior); },
             "The most probable prior of the length deviations.")
         .def_prop_ro(
             "detectable", part_of_json("detectable"), nb::sig("def detectable(self) -> dict"),

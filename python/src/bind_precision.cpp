@@ -86,7 +86,7 @@ void bind_predicted_precision(nb::module_& module) {
         .def_prop_ro(
             "std",
             [](const PredictedPrecision& self) {
-                return array_of_each(self.edges, &EdgePrecision::std);
+                return array_of_each(self.edges, &EdgePrecision::std_dev);
             },
             "Standard deviation of each length deviation after the survey (m_I,) [m].")
         .def_prop_ro(
@@ -165,7 +165,7 @@ void bind_suggestions(nb::module_& module) {
                              "{:.4g} with all {})",
                              to_string(self.quantity), to_string(first->kind),
                              first->edge >= 0 ? "edge" : "node",
-                             first->edge >= 0 ? first->edge : first->node, self.std,
+                             first->edge >= 0 ? first->edge : first->node, self.std_dev,
                              self.steps.back().remaining_std, self.steps.size());
         });
     module.def(

@@ -60,9 +60,9 @@ void check_made_for(const CableNet& net, const std::string& fingerprint) {
 
 /// @throws nb::value_error for a data set of other settings, whose samples would not go with ours
 void check_made_by(const Sampler& sampler, const DataSet& data) {
-    const DataSet own = sampler.empty();
+    const DataSet own = sampler.no_samples();
     const auto words_of = [](const DataSet& of) {
-        return fmt::format("the net {}, {}, seed {}{}", of.net_fingerprint, of.prior.to_string(),
+        return fmt::format("the net {}, {}, seed {}{}", of.net_fingerprint, to_string(of.prior),
                            of.seed,
                            of.uncertain.empty() ? "" : ", uncertain " + to_string(of.uncertain));
     };
@@ -107,7 +107,7 @@ void bind_data_set(nb::module_& module) {
             "converged",
             [](const DataSet& self) { return array_of(self.converged_in(0, self.size())); },
             "Samples whose forces balance.")
-        .def_prop_ro("prior", [](const DataSet& self) { return self.prior.to_string(); })
+        .def_prop_ro("prior", [](const DataSet& self) { return to_string(self.prior); })
         .def_ro("seed", &DataSet::seed)
         .def("__len__", &DataSet::size)
         .def(
@@ -126,7 +126,7 @@ void bind_data_set(nb::module_& module) {
             nb::arg("path"), "Reads data.h5: the data set and its net.")
         .def("__repr__", [](const DataSet& self) {
             return fmt::format("DataSet({} samples, {}, {} with slack edges)", self.size(),
-                               self.prior.to_string(), self.with_slack());
+                               to_string(self.prior), self.with_slack());
         });
 }
 
@@ -136,7 +136,7 @@ void bind_model(nb::module_& module) {
                                   "Gaussian process an interior edge.");
     make_picklable(model);
     model.def_prop_ro("training_count", &LengthModel::training_count)
-        .def_prop_ro("prior", [](const LengthModel& self) { return self.prior.to_string(); })
+        .def_prop_ro("prior", [](const LengthModel& self) { return to_string(self.prior); })
         .def_prop_ro("mean", [](const LengthModel& self) { return to_string(self.mean); })
         .def_prop_ro("kernel", [](const LengthModel& self) { return to_string(self.metric); })
         .def_ro("as_in_paper", &LengthModel::as_in_paper)
@@ -184,7 +184,7 @@ void bind_model(nb::module_& module) {
         .def("__repr__", [](const LengthModel& self) {
             return fmt::format("LengthModel({} processes, {} training samples, {}{})",
                                self.processes.processes.size(), self.training_count(),
-                               self.prior.to_string(), self.as_in_paper ? ", as in the paper" : "");
+                               to_string(self.prior), self.as_in_paper ? ", as in the paper" : "");
         });
 }
 
@@ -236,7 +236,7 @@ void bind_sampling(nb::module_& module) {
             [](const Sampler& self, DataSet data, int count, const nb::object& progress) {
                 check_made_by(self, data);
                 return interruptible(progress, [&](const Progress& reporter) {
-                    self.extend(data, count, reporter);
+                    self.extend_to(data, count, reporter);
                     return std::move(data);
                 });
             },
@@ -274,7 +274,7 @@ void bind_sampling(nb::module_& module) {
             const std::vector<int> on =
                 samples ? indices_argument(*samples, "samples") : data.converged_in(0, data.size());
             return interruptible(progress, [&](const Progress& reporter) {
-                return train(net, data, on, settings, reporter);
+                return train_model(net, data, on, settings, reporter);
             });
         },
         nb::arg("net"), nb::arg("data"), nb::arg("samples") = nb::none(), nb::kw_only(),

@@ -233,7 +233,7 @@ Args:
     module.def(
         "tensions",
         [](const CableNet& net, const ArrayLike& unstressed_lengths, const ArrayLike& form) {
-            return array_of(tensions(
+            return array_of(tensions_of(
                 net, vector_argument(unstressed_lengths, "unstressed_lengths", net.edge_count()),
                 points_argument(form, "form", net.node_count())));
         },

@@ -46,7 +46,7 @@ auto in_python_types(const T& value) {
     } else if constexpr (std::is_enum_v<T>) {
         return std::string(to_string(value));
     } else if constexpr (std::is_same_v<T, LengthPrior> || std::is_same_v<T, UncertainParameter>) {
-        return value.to_string();
+        return to_string(value);
     } else if constexpr (std::is_same_v<T, std::vector<int>> || std::is_same_v<T, Points> ||
                          std::is_same_v<T, Eigen::VectorXd> || std::is_same_v<T, Eigen::Vector3d>) {
         return array_of(value);

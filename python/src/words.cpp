@@ -142,10 +142,10 @@ std::string in_python(std::string_view message) {
 
 std::string advice_in_python(const Trust::Finding& finding) {
     if (!finding.remedy) {
-        return in_python(finding.next);
+        return in_python(finding.advice);
     }
     const auto& [parameter, value] = *finding.remedy;
-    return fmt::format("{} ({}).", finding.next.substr(0, finding.next.size() - 1),
+    return fmt::format("{} ({}).", finding.advice.substr(0, finding.advice.size() - 1),
                        argument(parameter, value));
 }
 

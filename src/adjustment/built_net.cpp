@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "adjustment/built_net_parts.hpp"
+#include "identification/parameter_spread.hpp"
 #include "net/sliding_nodes.hpp"
 #include "statics/sliding.hpp"
 #include "taut/sampling/model_perturbation.hpp"
@@ -43,7 +45,7 @@ BuiltNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
     data.nodes = equilibrium.form;
     data.runs =
         runs_from_here(identified, equilibrium.form,
-                       tensions(identified, equilibrium.unstressed_lengths, equilibrium.form));
+                       tensions_of(identified, equilibrium.unstressed_lengths, equilibrium.form));
     BuiltNet built{.net = CableNet(std::move(data))};
     built.shown_lengths = built.net.unstressed_lengths();
     built.shown_lengths(net.adjustable_edges()) = lengths(net.adjustable_edges());
@@ -152,7 +154,8 @@ std::string failure_of(const Trust& trust) {
         return {};
     }
     const Trust::Finding& worst = trust.findings.front();
-    return worst.next.empty() ? worst.reason + " Correct that, and identify again." : worst.text();
+    return worst.advice.empty() ? worst.reason + " Correct that, and identify again."
+                                : worst.text();
 }
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {

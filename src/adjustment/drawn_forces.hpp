@@ -63,7 +63,7 @@ public:
     /// force]; negative: the margin could be smaller.
     [[nodiscard]] double shortfall(double confidence) const;
     /// Standard deviations of the forces, one vector a set of loads [N].
-    [[nodiscard]] const std::vector<Eigen::VectorXd>& std() const { return m_std; }
+    [[nodiscard]] const std::vector<Eigen::VectorXd>& std_dev() const { return m_std; }
     /// The margin that the mean of the samples has to all limits [standard deviations].
     [[nodiscard]] double kept() const { return m_kept; }
     /// The given limits less a margin of `factor` standard deviations, corrected for the difference

@@ -49,8 +49,8 @@ public:
         Eigen::VectorXd worst = Eigen::VectorXd::Constant(count + 1, -infinity);
         for (size_t i = 0; i < responses.size(); ++i) {
             const StrokeRates by_stroke = responses[i].response.rates(m_state.nets[i]);
-            const Eigen::VectorXd& std = margins.std()[i];
-            for (Eigen::Index row = 0; row < std.size(); ++row) {
+            const Eigen::VectorXd& std_dev = margins.std_dev()[i];
+            for (Eigen::Index row = 0; row < std_dev.size(); ++row) {
                 for (const double sign : {-1.0, 1.0}) {
                     const double limit = sign < 0.0 ? ranges[i].lower(row) : ranges[i].upper(row);
                     if (std::isinf(limit)) {
@@ -59,9 +59,10 @@ public:
                     Eigen::VectorXd z(count + 1);
                     z.head(count) = draws.forces[i].row(row).transpose().array() - limit;
                     z(count) = m_state.nets[i].forces(row) - limit - sign * slip;
-                    z *= sign / std(row);
+                    z *= sign / std_dev(row);
                     worst = worst.cwiseMax(z);
-                    Eigen::VectorXd rate = sign / std(row) * by_stroke.forces.row(row).transpose();
+                    Eigen::VectorXd rate =
+                        sign / std_dev(row) * by_stroke.forces.row(row).transpose();
                     if (z.maxCoeff() + 2.0 * step * rate.cwiseAbs().maxCoeff() > -far_away) {
                         excess.push_back(std::move(z));
                         rates.push_back(std::move(rate));

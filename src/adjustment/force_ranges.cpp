@@ -23,7 +23,7 @@ std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions) {
 }
 
 double least_taut(const CableNet& net) {
-    const Eigen::VectorXd pull = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd pull = tensions_of(net, net.unstressed_lengths(), net.nodes());
     return 2.0 * negligible_violation * std::max(0.0, mean_weights(net).dot(pull));
 }
 

@@ -86,8 +86,8 @@ bool Limits::has_forces(const CableNet& net) const {
     return std::isfinite(tension.upper.minCoeff()) || !reactions.empty() || !load_cases.empty();
 }
 
-Limits limits_of_stroke(const CableNet& net, size_t edges, double stroke) {
-    const auto count = static_cast<Eigen::Index>(edges);
+Limits stroke_limits(const CableNet& net, const std::vector<int>& edges, double stroke) {
+    const Eigen::Index count = std::ssize(edges);
     return {.shortest_stroke = Eigen::VectorXd::Constant(count, -stroke),
             .longest_stroke = Eigen::VectorXd::Constant(count, stroke),
             .tension = TensionLimits::no_slack(net),

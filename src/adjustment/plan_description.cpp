@@ -11,6 +11,7 @@
 #include "adjustment/limit_breaches.hpp"
 #include "adjustment/survey_gain.hpp"
 #include "adjustment/tension_targets.hpp"
+#include "identification/drawn_summary.hpp"
 #include "taut/identification/posterior_draws.hpp"
 
 namespace taut {

@@ -10,6 +10,8 @@
 #include <limits>
 #include <set>
 
+#include "adjustment/built_net_parts.hpp"
+#include "adjustment/resolved_request.hpp"
 #include "adjustment/tension_targets.hpp"
 #include "adjustment/work_stages.hpp"
 #include "statics/arguments.hpp"
@@ -52,9 +54,9 @@ Limits limits_of_ranges(const CableNet& net, std::vector<StrokeRange> ranges,
         throw RequestError("stroke", "leaves no edge that may be turned");
     }
     edges.clear();
-    Limits limits = limits_of_stroke(net, ranges.size(), 0.0);
+    std::ranges::transform(ranges, std::back_inserter(edges), &StrokeRange::edge);
+    Limits limits = stroke_limits(net, edges, 0.0);
     for (size_t k = 0; k < ranges.size(); ++k) {
-        edges.push_back(ranges[k].edge);
         limits.shortest_stroke(static_cast<Eigen::Index>(k)) = ranges[k].shortest;
         limits.longest_stroke(static_cast<Eigen::Index>(k)) = ranges[k].longest;
     }
@@ -238,7 +240,7 @@ ResolvedRequest resolve(const CableNet& net, const BuiltNet& built, const PlanRe
     Limits& limits = result.limits;
     if (request.stroke_ranges.empty()) {
         check_stroke("stroke", request.stroke);
-        limits = limits_of_stroke(net, edges.size(), request.stroke);
+        limits = stroke_limits(net, edges, request.stroke);
     } else {
         limits = limits_of_ranges(net, request.stroke_ranges, edges);
     }

@@ -177,7 +177,7 @@ std::vector<ReachedTension> reached_tensions(std::span<const TensionTarget> targ
             const Eigen::ArrayXd drawn =
                 states.draws->forces.front().row(target.edge).transpose().cwiseMax(0.0);
             reached.mean = drawn.mean();
-            reached.std = std::sqrt((drawn - *reached.mean).square().mean());
+            reached.std_dev = std::sqrt((drawn - *reached.mean).square().mean());
             reached.probability =
                 ((drawn - target.tension).abs() <= target.tolerance).cast<double>().mean();
             bias = *reached.mean - reached.planned;

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,17 +27,24 @@
 #include "taut/adjustment/request_error.hpp"
 #include "taut/adjustment/request_text.hpp"
 #include "taut/design/builtin_nets.hpp"
+#include "taut/error.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/printable.hpp"
+#include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
+#include "taut/io/adjustment_csv.hpp"
+#include "taut/io/forces_csv.hpp"
+#include "taut/io/frequencies_csv.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/read_survey.hpp"
+#include "taut/io/turned_csv.hpp"
 #include "taut/net/units.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/results/plan_files.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
+#include "taut/survey/cable_vibration.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"
 
@@ -106,6 +114,29 @@ taut_status failed(taut_status status, const char* message) noexcept {
     return status;
 }
 
+taut_status status_of(const std::exception& error) {
+    using enum taut::ErrorCode;
+    switch (taut::error_code(error)) {
+        case argument:
+        case net:
+        case survey:
+        case request:
+        case failed_identification:
+        case input_file:
+        case missing_file:
+            return TAUT_WRONG_INPUT;
+        case interrupted:
+            return TAUT_INTERRUPTED;
+        case output_file:
+        case no_solution:
+        case out_of_memory:
+        case peer:
+        case other:
+            break;
+    }
+    return TAUT_FAILED;
+}
+
 /// Runs a call: what it throws becomes status and message.
 template <class Call>
 taut_status guarded(const Call& call) noexcept {
@@ -118,16 +149,10 @@ taut_status guarded(const Call& call) noexcept {
             call();
         }
         return TAUT_OK;
-    } catch (const taut::Interrupted& error) {
-        return failed(TAUT_INTERRUPTED, error.what());
-    } catch (const taut::InputError& error) {
-        return failed(TAUT_WRONG_INPUT, error.what());
-    } catch (const std::logic_error& error) {  // arguments
-        return failed(TAUT_WRONG_INPUT, error.what());
     } catch (const std::bad_alloc&) {
         return failed(TAUT_FAILED, "not enough memory");
     } catch (const std::exception& error) {
-        return failed(TAUT_FAILED, error.what());
+        return failed(status_of(error), error.what());
     }
 }
 
@@ -294,26 +319,57 @@ private:
     std::vector<std::string> m_names;
 };
 
-taut::IdentificationMethod method_named(const std::string& name) {
-    for (const taut::IdentificationMethod method :
-         {taut::IdentificationMethod::balance, taut::IdentificationMethod::map,
-          taut::IdentificationMethod::gp}) {
-        if (name == to_string(method)) {
-            return method;
-        }
-    }
-    throw std::invalid_argument(fmt::format("is '{}', expected balance, map or gp", name));
+double parse_length_of(const std::string& text) {
+    return taut::parse_length(text);
 }
 
-taut::IdentifyOptions identify_options(const taut::CableNet& net, const char* text) {
-    Options options(text);
+std::vector<int> edges_named(Options& options, const char* list, const taut::CableNet& net) {
+    std::vector<int> edges;
+    for (const std::string& name : options.texts(list)) {
+        edges.push_back(net.find_edge(name));
+        if (edges.back() < 0) {
+            throw InputError("options", fmt::format("/{}", list),
+                             fmt::format("names '{}', which is no edge of the net", name));
+        }
+    }
+    return edges;
+}
+
+/// Names the option in errors of the table that is its value.
+std::string table_of(const std::string& option) {
+    return "options:/" + option;
+}
+
+taut::Forces forces_of(Options& options, const taut::CableNet& net, const taut::Survey& survey) {
+    constexpr double usual_free_length_std = 10e-3;
+    taut::Forces forces;
+    if (const std::optional<std::string> table = options.text("forces")) {
+        forces.measurements = parse_force_measurements(net, *table, table_of("forces"));
+    }
+    const double free_length_std =
+        options.parsed("free_length_std", parse_length_of).value_or(usual_free_length_std);
+    if (const std::optional<std::string> table = options.text("frequencies")) {
+        for (const taut::FrequencyMeasurement& one :
+             parse_frequencies(net, *table, table_of("frequencies"))) {
+            forces.measurements.push_back(
+                tension_by_frequency(net, survey.form, one, free_length_std));
+        }
+    }
+    forces.taut = edges_named(options, "taut_edges", net);
+    forces.slack = edges_named(options, "slack_edges", net);
+    return forces;
+}
+
+taut::IdentifyOptions identify_options(Options& options, const taut::CableNet& net,
+                                       const taut::Survey& survey) {
     taut::IdentifyOptions result;
-    result.method = options.parsed("method", method_named);
+    result.forces = forces_of(options, net, survey);
+    result.method = options.parsed("method", taut::parse_identification_method);
     result.prior = options.parsed(
         "prior", [](const std::string& prior) { return taut::parse_length_prior(prior); });
     result.prior_exact = options.flag("prior_exact").value_or(result.prior_exact);
     result.estimate_noise = options.flag("estimate_noise").value_or(result.estimate_noise);
-    result.draws = options.integer("draws").value_or(taut::default_draws(net));
+    result.draws = options.integer("draws");
     result.seed =
         options.get<std::uint64_t>("seed", "an integer of 0 or more").value_or(result.seed);
     result.assume_site = true;
@@ -327,29 +383,19 @@ taut::IdentifyOptions identify_options(const taut::CableNet& net, const char* te
             return taut::parse_uncertain_parameter(one);
         });
     }
-    options.check_names();
-    taut::check_draws(net, result.draws);
     return result;
 }
 
 taut::PlanRequest plan_request(const taut::CableNet& net, const char* text) {
-    const auto length = [](const std::string& value) { return taut::parse_length(value); };
     Options options(text);
     taut::PlanRequest result;
-    for (const std::string& name : options.texts("edges")) {
-        const int edge = net.find_edge(name);
-        if (edge < 0) {
-            throw InputError("options", "/edges",
-                             fmt::format("names '{}', which is no edge of the net", name));
-        }
-        result.options.edges.push_back(edge);
-    }
-    result.stroke = options.parsed("stroke", length).value_or(result.stroke);
-    result.total_stroke = options.parsed("total_stroke", length);
-    result.options.tolerance = options.parsed("tolerance", length);
+    result.options.edges = edges_named(options, "edges", net);
+    result.stroke = options.parsed("stroke", parse_length_of).value_or(result.stroke);
+    result.total_stroke = options.parsed("total_stroke", parse_length_of);
+    result.options.tolerance = options.parsed("tolerance", parse_length_of);
     result.options.actuator_std =
-        options.parsed("actuator_std", length).value_or(result.options.actuator_std);
-    if (const std::optional<double> turn = options.parsed("turn", length)) {
+        options.parsed("actuator_std", parse_length_of).value_or(result.options.actuator_std);
+    if (const std::optional<double> turn = options.parsed("turn", parse_length_of)) {
         result.options.turn = taut::TurnSize{.pitch = *turn};
     }
     if (const std::optional<double> step = options.get<double>("step", "a number")) {
@@ -371,6 +417,54 @@ taut::PlanRequest plan_request(const taut::CableNet& net, const char* text) {
         options.parsed("stages", taut::parse_stages).value_or(std::vector<taut::GivenStage>());
     options.check_names();
     return result;
+}
+
+size_t count_of(int count) {
+    if (count < 2) {
+        throw std::invalid_argument(fmt::format("{} surveys, expected 2 or more", count));
+    }
+    return static_cast<size_t>(count);
+}
+
+/// The table of one survey in a list with one for each after the first; "" where there is none.
+std::string table_before(const std::vector<std::string>& tables, size_t survey) {
+    return survey > 0 && !tables.empty() ? tables[survey - 1] : "";
+}
+
+std::vector<taut::Epoch> epochs_of(Options& options, const taut::CableNet& net,
+                                   std::span<const taut_survey* const> surveys) {
+    const std::vector<std::string> turned = options.texts("turned");
+    const std::vector<std::string> loads = options.texts("loads");
+    for (const auto& [name, tables] : {std::pair("turned", &turned), std::pair("loads", &loads)}) {
+        if (!tables->empty() && tables->size() + 1 != surveys.size()) {
+            throw InputError("options", fmt::format("/{}", name),
+                             fmt::format("has {} tables, expected one for each of {} later surveys",
+                                         tables->size(), surveys.size() - 1));
+        }
+    }
+    std::vector<taut::Epoch> epochs;
+    for (size_t k = 0; k < surveys.size(); ++k) {
+        taut::Epoch epoch{.survey = given(surveys[k], "a survey").survey, .turned = {}};
+        if (const std::string table = table_before(turned, k); !table.empty()) {
+            epoch.turned = parse_turned(net, table, table_of(fmt::format("turned/{}", k - 1)));
+        }
+        if (const std::string table = table_before(loads, k); !table.empty()) {
+            epoch.loads = parse_loads(net, table, table_of(fmt::format("loads/{}", k - 1)));
+        }
+        epochs.push_back(std::move(epoch));
+    }
+    return epochs;
+}
+
+/// @throws NumericalError where it did not converge
+std::unique_ptr<taut_result> result_of(const taut::CableNet& net, const taut::Survey& survey,
+                                       taut::Identification found) {
+    if (found.status != taut::IdentificationStatus::converged) {
+        throw taut::NumericalError(fmt::format("method {}: {}", found.method, found.message));
+    }
+    std::string text =
+        identification_to_json(net, with_noise_times(survey, found.noise_scale), found);
+    return std::make_unique<taut_result>(net, std::move(found), std::move(text));
 }
 
 taut::Points places_of(const taut::CableNet& net, const double* form) {
@@ -460,7 +554,7 @@ taut_status taut_equilibrium(const taut_net* net, const double* unstressed_lengt
                             found.out_of_balance, found.iterations));
         }
         copy(found.form.reshaped(), form);
-        copy(taut::tensions(of, found.unstressed_lengths, found.form), tensions);
+        copy(taut::tensions_of(of, found.unstressed_lengths, found.form), tensions);
     });
 }
 
@@ -509,15 +603,28 @@ taut_result* taut_identify(const taut_net* net, const taut_survey* survey, const
     return made([&] {
         const taut::CableNet& of = given(net, "net").net;
         const taut::Survey& seen = given(survey, "survey").survey;
+        Options all(options);
+        const taut::IdentifyOptions settings = identify_options(all, of, seen);
+        all.check_names();
         Report report;
-        taut::Identification found =
-            taut::identify(of, seen, identify_options(of, options), report.progress());
-        if (found.status != taut::IdentificationStatus::converged) {
-            throw taut::NumericalError(fmt::format("method {}: {}", found.method, found.message));
-        }
-        std::string text =
-            identification_to_json(of, with_noise_times(seen, found.noise_scale), found);
-        return std::make_unique<taut_result>(of, std::move(found), std::move(text));
+        return result_of(of, seen, taut::identify(of, seen, settings, report.progress()));
+    });
+}
+
+taut_result* taut_identify_epochs(const taut_net* net, const taut_survey* const* surveys, int count,
+                                  const char* options) {
+    return made([&] {
+        const taut::CableNet& of = given(net, "net").net;
+        given(surveys, "surveys");
+        Options all(options);
+        const std::vector<taut::Epoch> epochs = epochs_of(all, of, {surveys, count_of(count)});
+        const taut::Survey& reported =
+            epochs[static_cast<size_t>(taut::reported_epoch(epochs))].survey;
+        const taut::IdentifyOptions settings = identify_options(all, of, reported);
+        all.check_names();
+        Report report;
+        return result_of(of, reported,
+                         taut::identify_epochs(of, epochs, settings, report.progress()));
     });
 }
 
@@ -540,12 +647,12 @@ taut_status taut_result_edges(const taut_result* result, double* lengths, double
         Eigen::VectorXd identified = taut::built_net_of(net, found).net.unstressed_lengths();
         Eigen::VectorXd stds = Eigen::VectorXd::Zero(net.edge_count());
         for (const taut::IdentifiedEdge& one : found.edges) {
-            stds(one.edge) = one.std;
+            stds(one.edge) = one.std_dev;
         }
         Eigen::VectorXd of_tensions =
             Eigen::VectorXd::Constant(net.edge_count(), std::numeric_limits<double>::quiet_NaN());
         for (const taut::DrawnTension& one : found.drawn.tensions) {
-            of_tensions(one.edge) = one.tension.std;
+            of_tensions(one.edge) = one.tension.std_dev;
         }
         copy(identified, lengths);
         copy(stds, length_stds);

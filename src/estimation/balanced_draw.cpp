@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "net/sliding_nodes.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -164,7 +165,7 @@ bool balance(EquilibriumSolver& solver, const CableNet& net, const Eigen::Vector
              const Points& start, BalancedDraw& result) {
     const Equilibrium found = solver.solve(lengths, start);
     result.form = found.form;
-    result.tensions = tensions(net, found.unstressed_lengths, found.form);
+    result.tensions = tensions_of(net, found.unstressed_lengths, found.form);
     return found.balanced();
 }
 

@@ -154,7 +154,7 @@ std::vector<BoundaryOutlier> boundary_outliers(const Hypotheses& hypotheses) {
                                           : BoundaryOutlier::Kind::adjustable_edge,
                               .index = one.index,
                               .deviation = one.deviation,
-                              .std = one.std(),
+                              .std_dev = one.std_dev(),
                               .statistic = one.statistic,
                               .confounded_with = one.confounded_with});
         }

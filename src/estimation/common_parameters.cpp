@@ -10,6 +10,7 @@
 #include "net/sliding_nodes.hpp"
 #include "net/support_stiffness.hpp"
 #include "net/weight_as_load.hpp"
+#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 
@@ -39,11 +40,12 @@ CommonParameters::CommonParameters(const CableNet& net,
         m_slip_count = static_cast<int>(net.sliding_nodes().size());
         m_stretch_count = static_cast<int>(sliding_stretches(net).size());
     }
-    if (const double std = std_of(uncertain, UncertainParameter::Kind::supports); std > 0.0) {
+    if (const double std_dev = std_of(uncertain, UncertainParameter::Kind::supports);
+        std_dev > 0.0) {
         for (const int node : coupled_supports(net)) {
             for (int axis = 0; axis < 3; ++axis) {
                 Points shift = Points::Zero(3, net.node_count());
-                shift(axis, node) = std;
+                shift(axis, node) = std_dev;
                 m_place_loads.push_back(support_forces(net, shift));
             }
         }
@@ -60,19 +62,19 @@ CommonParameters::CommonParameters(const CableNet& net,
     for (int k = 0; k < static_cast<int>(m_uncertain.size()); ++k) {
         const UncertainParameter& parameter = m_uncertain[k];
         if (parameter.kind == UncertainParameter::Kind::loads) {
-            m_load_rates[k] = parameter.std * other_loads;
+            m_load_rates[k] = parameter.std_dev * other_loads;
         } else if (parameter.kind == UncertainParameter::Kind::mass) {
-            m_load_rates[k] = parameter.std * self_weight(net);
+            m_load_rates[k] = parameter.std_dev * self_weight(net);
         } else if (parameter.kind == UncertainParameter::Kind::test_loads) {
-            m_load_rates[k] = parameter.std * test_loads;
+            m_load_rates[k] = parameter.std_dev * test_loads;
         }
         for (const int edge : edges_of(net, parameter)) {
             if (parameter.kind == UncertainParameter::Kind::stiffness) {
-                m_stiffness(edge, k) = parameter.std;
+                m_stiffness(edge, k) = parameter.std_dev;
             } else if (parameter.kind == UncertainParameter::Kind::temperature) {
-                m_thermal(edge, k) = parameter.std * net.data().expansion(edge);
+                m_thermal(edge, k) = parameter.std_dev * net.data().expansion(edge);
             } else if (parameter.kind == UncertainParameter::Kind::creep) {
-                m_thermal(edge, k) = parameter.std;
+                m_thermal(edge, k) = parameter.std_dev;
             }
         }
     }
@@ -121,7 +123,7 @@ void CommonParameters::set_frame(const CableNet& net) {
 double CommonParameters::support_stiffness_rate(int k) const {
     return k < std::ssize(m_uncertain) &&
                    m_uncertain[k].kind == UncertainParameter::Kind::support_stiffness
-               ? m_uncertain[k].std
+               ? m_uncertain[k].std_dev
                : 0.0;
 }
 

@@ -114,7 +114,7 @@ public:
     /// Relative change of the weight that makes cables sag, by one standard deviation of the mass.
     [[nodiscard]] double sag_rate(int k) const {
         return k < std::ssize(m_uncertain) && m_uncertain[k].kind == UncertainParameter::Kind::mass
-                   ? m_uncertain[k].std
+                   ? m_uncertain[k].std_dev
                    : 0.0;
     }
     [[nodiscard]] double sag_factor(const Eigen::VectorXd& values) const {

@@ -109,8 +109,8 @@ double detectable_error(const std::vector<BoundedEstimate>& estimates) {
     double least = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < estimates.size(); i += stride) {
         taken.push_back(estimates[i]);
-        if (estimates[i].std > 0.0) {
-            least = std::min(least, estimates[i].std);
+        if (estimates[i].std_dev > 0.0) {
+            least = std::min(least, estimates[i].std_dev);
         }
     }
     if (!std::isfinite(least)) {
@@ -118,9 +118,10 @@ double detectable_error(const std::vector<BoundedEstimate>& estimates) {
     }
     const auto power = [&](double error) {
         double sum = 0.0;
-        for (const auto& [bound, std] : taken) {
-            if (std::isfinite(bound) && std > 0.0) {
-                sum += upper_tail((bound - error) / std) + upper_tail((bound + error) / std);
+        for (const auto& [bound, std_dev] : taken) {
+            if (std::isfinite(bound) && std_dev > 0.0) {
+                sum +=
+                    upper_tail((bound - error) / std_dev) + upper_tail((bound + error) / std_dev);
             }
         }
         return sum / static_cast<double>(taken.size());

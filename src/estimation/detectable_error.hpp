@@ -25,7 +25,7 @@ struct TestedItem {
 /// A normal estimate that is rejected outside a bound on either side.
 struct BoundedEstimate {
     double bound = 0.0;
-    double std = 0.0;
+    double std_dev = 0.0;
 };
 
 /// The same for errors of estimates.

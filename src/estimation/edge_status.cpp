@@ -18,12 +18,12 @@ std::string_view to_string(EdgeStatus status) {
     return "unknown";
 }
 
-EdgeStatus status_of(double prior_std, double std) {
-    if (std < determined_ratio * prior_std) {
+EdgeStatus status_of(double prior_std, double std_dev) {
+    if (std_dev < determined_ratio * prior_std) {
         return EdgeStatus::determined;
     }
-    return std < not_determined_ratio * prior_std ? EdgeStatus::weakly_determined
-                                                  : EdgeStatus::not_determined;
+    return std_dev < not_determined_ratio * prior_std ? EdgeStatus::weakly_determined
+                                                      : EdgeStatus::not_determined;
 }
 
 }  // namespace taut

@@ -184,14 +184,15 @@ void EvidenceTest::update() {
 
 EvidenceTest::Changes EvidenceTest::changes() const {
     const Eigen::Index size = m_stds.size();
-    Changes result{.change = Eigen::VectorXd::Zero(size),
-                   .std = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity()),
-                   .statistic = Eigen::VectorXd::Zero(size)};
+    Changes result{
+        .change = Eigen::VectorXd::Zero(size),
+        .std_dev = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity()),
+        .statistic = Eigen::VectorXd::Zero(size)};
     for (Eigen::Index i = 0; i < size; ++i) {
         const double shown = m_information(i, i);
         if (shown > least_shown * least_shown) {
             result.change(i) = m_stds(i) * m_gradient(i) / shown;
-            result.std(i) = m_stds(i) / std::sqrt(shown);
+            result.std_dev(i) = m_stds(i) / std::sqrt(shown);
             result.statistic(i) = std::abs(m_gradient(i)) / std::sqrt(shown);
         }
     }

@@ -71,7 +71,7 @@ public:
     /// that (infinite where the surveys do not show it), and their ratio.
     struct Changes {
         Eigen::VectorXd change;
-        Eigen::VectorXd std;
+        Eigen::VectorXd std_dev;
         Eigen::VectorXd statistic;
     };
     [[nodiscard]] Changes changes() const;

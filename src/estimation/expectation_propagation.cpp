@@ -62,8 +62,8 @@ void update_length_sites(const PriorKnowledge& knowledge, const LinearisedFit& f
         }
         cavity.extension = std::numeric_limits<double>::infinity();
         const auto [mean, variance] = moments_of(prior, cavity);  // (tilted)
-        const double of_cavity = 1.0 / (cavity.std * cavity.std);
-        const double precision = std::max(least_precision / (prior.std() * prior.std()),
+        const double of_cavity = 1.0 / (cavity.std_dev * cavity.std_dev);
+        const double precision = std::max(least_precision / (prior.std_dev() * prior.std_dev()),
                                           1.0 / variance - of_cavity);  // (site)
         const double pull = (precision + of_cavity) * mean - of_cavity * cavity.mean;
         // The fitted deviation includes that of the blur; this part is the edge's own.
@@ -103,7 +103,7 @@ public:
             }
             const double mean = (tensions(e) / variances(e) - m_pull(e)) / cavity_precision;
             const TruncatedNormal above_zero{.mean = mean,
-                                             .std = 1.0 / std::sqrt(cavity_precision),
+                                             .std_dev = 1.0 / std::sqrt(cavity_precision),
                                              .lower = 0.0,
                                              .upper = std::numeric_limits<double>::infinity()};
             const TruncatedMixture tilted({above_zero});  // (tilted-taut)

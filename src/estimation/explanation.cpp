@@ -18,6 +18,7 @@
 #include "estimation/length_tests.hpp"
 #include "estimation/slack_set.hpp"
 #include "estimation/target_tests.hpp"
+#include "statics/elastic_stretch.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -198,8 +199,8 @@ FitProblem::FitProblem(const CableNet& of, const Survey& survey_of_it, const Pri
       hypotheses(of, all_hypotheses(of, survey, known, given)) {}
 
 double FitProblem::widest_corner() const {
-    const double std = knowledge.length_std();
-    return std::min(std, std::sqrt(mean_stretch(net) * std));
+    const double std_dev = knowledge.length_std();
+    return std::min(std_dev, std::sqrt(mean_stretch(net) * std_dev));
 }
 
 Assumed::Assumed(const FitProblem& of, const Hypotheses& hypotheses)

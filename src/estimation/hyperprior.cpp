@@ -85,18 +85,18 @@ Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, LinearisedFit st
     return evidence;
 }
 
-LengthPrior of_std(LengthPrior::Kind kind, double std) {
-    return {kind, std / LengthPrior{kind, 1.0}.std()};
+LengthPrior of_std(LengthPrior::Kind kind, double std_dev) {
+    return {kind, std_dev / LengthPrior{kind, 1.0}.std_dev()};
 }
 
 struct Moments {
     double mean = 0.0;
-    double std = 0.0;
+    double std_dev = 0.0;
 };
 Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
     const double mean = weights.dot(values) / weights.sum();
     const double variance = weights.dot((values.array() - mean).square().matrix()) / weights.sum();
-    return {.mean = mean, .std = std::sqrt(variance)};
+    return {.mean = mean, .std_dev = std::sqrt(variance)};
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ Hyperprior broad_hyperprior() {
 
 LengthPrior central_prior(const PriorEstimate& estimate) {
     return estimate.exact ? estimate.given
-                          : rounded(of_std(estimate.nodes.front().prior.kind, estimate.std));
+                          : rounded(of_std(estimate.nodes.front().prior.kind, estimate.std_dev));
 }
 
 std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places,
@@ -170,23 +170,23 @@ struct ScaleEvidence {
 ScaleEvidence scale_evidence(const Hyperprior& hyperprior, LinearisedFit fitted,
                              const Observations& observations, const std::vector<bool>& left_out,
                              const LengthPrior& fit_prior, const FoundScale& scale) {
-    const double centre = std::log(hyperprior.centre.std());
+    const double centre = std::log(hyperprior.centre.std_dev());
     double middle = centre;
     double half_width = grid_reach * hyperprior.log_std;
-    const bool is_found = scale.ratio > 0.0 && scale.std > 0.0;
-    const double found = is_found ? std::log(scale.ratio * fit_prior.std()) : centre;
-    if (is_found && scale.std < 1.0 / reach_found) {
+    const bool is_found = scale.ratio > 0.0 && scale.std_dev > 0.0;
+    const double found = is_found ? std::log(scale.ratio * fit_prior.std_dev()) : centre;
+    if (is_found && scale.std_dev < 1.0 / reach_found) {
         // The product of both, as normal distributions.
         const double of_prior = 1.0 / (hyperprior.log_std * hyperprior.log_std);
-        const double of_survey = 1.0 / (scale.std * scale.std);
+        const double of_survey = 1.0 / (scale.std_dev * scale.std_dev);
         middle = (of_prior * centre + of_survey * found) / (of_prior + of_survey);
-        half_width = reach_found * scale.std;
+        half_width = reach_found * scale.std_dev;
     }
     ScaleEvidence result{
         .grid = Eigen::VectorXd::LinSpaced(places, middle - half_width, middle + half_width),
         .log = {}};
-    if (is_found && scale.std < surely_normal) {
-        result.log = -0.5 * ((result.grid.array() - found) / scale.std).square();
+    if (is_found && scale.std_dev < surely_normal) {
+        result.log = -0.5 * ((result.grid.array() - found) / scale.std_dev).square();
     } else {
         result.log = evidence_by_scores(result.grid, std::move(fitted), observations, left_out);
     }
@@ -203,18 +203,18 @@ Eigen::MatrixXd posterior_of(const Hyperprior& hyperprior, const ScaleEvidence& 
                              const PriorLikelihood& shapes) {
     // A composite likelihood of correlated lengths, raised to the square of their relative
     // redundancy; the power is by trial.
-    const double redundancy = scale.std > 0.0 ? 0.5 / (scale.std * scale.std) : 0.0;
+    const double redundancy = scale.std_dev > 0.0 ? 0.5 / (scale.std_dev * scale.std_dev) : 0.0;
     const double power = std::pow(std::min(1.0, redundancy / std::max(1, shapes.count())), 2);
     Eigen::MatrixXd log_posterior(places, 2);
     for (Eigen::Index k = 0; k < places; ++k) {
-        const double std = std::exp(evidence.grid(k));
-        const double of_normal = shapes(of_std(LengthPrior::Kind::normal, std));
+        const double std_dev = std::exp(evidence.grid(k));
+        const double of_normal = shapes(of_std(LengthPrior::Kind::normal, std_dev));
         for (Eigen::Index j = 0; j < 2; ++j) {
             const double probability =
                 j == 0 ? hyperprior.uniform_probability : 1.0 - hyperprior.uniform_probability;
             log_posterior(k, j) =
                 std::log(probability) + evidence.log(k) +
-                power * (shapes(of_std(kinds[static_cast<size_t>(j)], std)) - of_normal);
+                power * (shapes(of_std(kinds[static_cast<size_t>(j)], std_dev)) - of_normal);
         }
     }
     return (log_posterior.array() - log_posterior.maxCoeff()).exp().matrix();
@@ -238,7 +238,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
     PriorEstimate result{.given = hyperprior.centre, .exact = false};
     const Eigen::VectorXd stds = evidence.grid.array().exp();
     const auto [mean, std_of_std] = moments_of(stds, posterior.rowwise().sum());
-    result.std = mean;
+    result.std_dev = mean;
     result.std_std = std_of_std;
     // Rounding may make a part exceed the whole.
     result.uniform_probability = std::min(1.0, posterior.col(0).sum() / sum);
@@ -247,7 +247,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, LinearisedFit fitted,
         if (probability < improbable) {
             continue;
         }
-        const double spread = moments_of(evidence.grid, posterior.col(j)).std;
+        const double spread = moments_of(evidence.grid, posterior.col(j)).std_dev;
         const int count = spread < one_node_does ? 1 : (spread < two_nodes_do ? 2 : 3);
         for (const auto& [place, weight] : gauss_nodes(evidence.grid, posterior.col(j), count)) {
             result.nodes.push_back(

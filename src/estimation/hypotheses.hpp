@@ -63,7 +63,7 @@ struct Hypothesis {
     bool is_lower_bound = false;  ///< a length of an edge that may be slack: no shorter than that
     int confounded_with = -1;     ///< support of the edge, or edge at the support, when released
 
-    [[nodiscard]] Eigen::Vector3d std() const {  ///< of the deviation [its unit]
+    [[nodiscard]] Eigen::Vector3d std_dev() const {  ///< of the deviation [its unit]
         return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     }
     [[nodiscard]] bool is_released() const { return state >= State::released; }

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "estimation/linearisation.hpp"
+#include "sampling/uncertain_widths.hpp"
+#include "statics/elastic_stretch.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -99,14 +101,15 @@ LawBlur blur_found(const StaticsModel& model, const Covariance& covariance, cons
         const double unstressed = model.unstressed_length(e, fitted);
         const double variance =
             i >= 0 ? covariance.extensions(i) : length_variance(model, covariance, e, fitted);
-        const double std = std::max(std::sqrt(std::max(0.0, variance)) / unstressed,
-                                    slowest * model.blur.strain_stds(e));
-        found.strain_stds(e) = std;
+        const double std_dev = std::max(std::sqrt(std::max(0.0, variance)) / unstressed,
+                                        slowest * model.blur.strain_stds(e));
+        found.strain_stds(e) = std_dev;
         if (i >= 0) {
             const double strain = lengths(e) / unstressed - 1.0;
-            const double slope = std::max(law->blurred(strain, std).slope, 1e-6 * law->steepest());
+            const double slope =
+                std::max(law->blurred(strain, std_dev).slope, 1e-6 * law->steepest());
             found.missed(i) =
-                std::min(law->missed_by_blurred(strain, std) * std::pow(unstressed / slope, 2),
+                std::min(law->missed_by_blurred(strain, std_dev) * std::pow(unstressed / slope, 2),
                          most_variance * widest_prior);
         }
     }

@@ -33,7 +33,8 @@ std::vector<LengthLikelihood> length_likelihoods(const PriorKnowledge& knowledge
                                      std::sqrt(observations.variance(i) + prior_variances(i)),
                                      fitted.deviations(i), std::sqrt(variances(i)))  // (likelihood)
                      : LengthLikelihood();
-        likelihood.std = std::sqrt(likelihood.std * likelihood.std + prior_variances(i));
+        likelihood.std_dev =
+            std::sqrt(likelihood.std_dev * likelihood.std_dev + prior_variances(i));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         if (!can_be_slack[edge] || !net.can_be_slack(edge)) {
             likelihood.extension = std::numeric_limits<double>::infinity();

@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "estimation/length_posterior.hpp"
 #include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
-#include "taut/estimation/length_posterior.hpp"
 
 namespace taut {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/estimation/length_posterior.hpp"
+#include "estimation/length_posterior.hpp"
 
 #include <fmt/core.h>
 
@@ -17,9 +17,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// log N(x; mean, std^2) but for a constant, the same for every std; 0 for an infinite one.
-double log_normal_density(double x, double mean, double std) {
-    const double z = std < infinity ? (x - mean) / std : 0.0;
-    return -0.5 * z * z - (std < infinity ? std::log(std) : 0.0);
+double log_normal_density(double x, double mean, double std_dev) {
+    const double z = std_dev < infinity ? (x - mean) / std_dev : 0.0;
+    return -0.5 * z * z - (std_dev < infinity ? std::log(std_dev) : 0.0);
 }
 
 /// Extension below which an edge is surely slack, in standard deviations; its square could
@@ -36,9 +36,9 @@ void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likel
     if (z > -infinity) {
         // A product of normal densities is one again.
         const double prior_precision = 1.0 / (spread * spread);
-        const double precision = prior_precision + 1.0 / (likelihood.std * likelihood.std);
+        const double precision = prior_precision + 1.0 / (likelihood.std_dev * likelihood.std_dev);
         double mean = centre;
-        if (likelihood.std < infinity) {
+        if (likelihood.std_dev < infinity) {
             mean = likelihood.mean + prior_precision / precision * (centre - likelihood.mean);
         }
         // log Phi(z), by its tail where that underflows.
@@ -46,24 +46,25 @@ void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likel
         const double log_taut =
             z > far ? std::log(0.5 * std::erfc(-z / std::numbers::sqrt2))
                     : -0.5 * z * z - std::log(-z * std::sqrt(2.0 * std::numbers::pi));
-        parts.push_back({.log_height = log_normal_density(mean, centre, spread) +
-                                       log_normal_density(mean, likelihood.mean, likelihood.std) +
-                                       log_taut,
-                         .mean = mean,
-                         .std = 1.0 / std::sqrt(precision),
-                         .lower = lower,
-                         .upper = upper});
+        parts.push_back(
+            {.log_height = log_normal_density(mean, centre, spread) +
+                           log_normal_density(mean, likelihood.mean, likelihood.std_dev) + log_taut,
+             .mean = mean,
+             .std_dev = 1.0 / std::sqrt(precision),
+             .lower = lower,
+             .upper = upper});
     }
     constexpr double surely_taut = 10.0;  // slack with a probability below 1e-20
     if (z < surely_taut) {
-        const bool is_sure = z == -infinity || likelihood.std == infinity;
-        parts.push_back({.log_height = log_normal_density(centre, centre, spread) +
-                                       (is_sure ? 0.0 : -0.5 * z * z - std::log(likelihood.std)),
-                         .mean = centre,
-                         .std = spread,
-                         .lower = std::clamp(likelihood.slack_from, lower, upper),
-                         .upper = upper,
-                         .is_marked = true});
+        const bool is_sure = z == -infinity || likelihood.std_dev == infinity;
+        parts.push_back(
+            {.log_height = log_normal_density(centre, centre, spread) +
+                           (is_sure ? 0.0 : -0.5 * z * z - std::log(likelihood.std_dev)),
+             .mean = centre,
+             .std_dev = spread,
+             .lower = std::clamp(likelihood.slack_from, lower, upper),
+             .upper = upper,
+             .is_marked = true});
     }
 }
 
@@ -74,11 +75,11 @@ double bound_of(const LengthPrior& prior) {
 /// (posterior)
 TruncatedMixture mixture_of(const LengthPrior& prior, const LengthLikelihood& likelihood) {
     prior.check();
-    if (!std::isfinite(likelihood.mean) || !(likelihood.std > 0.0)) {
+    if (!std::isfinite(likelihood.mean) || !(likelihood.std_dev > 0.0)) {
         throw std::invalid_argument(
             fmt::format("the likelihood has mean {} and std {}, expected a finite and a positive "
                         "number",
-                        likelihood.mean, likelihood.std));
+                        likelihood.mean, likelihood.std_dev));
     }
     const double bound = bound_of(prior);
     if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
@@ -98,7 +99,7 @@ TruncatedMixture mixture_of(const LengthPrior& prior, const LengthLikelihood& li
         case LengthPrior::Kind::bimodal:
             for (const double mode : {-prior.scale, prior.scale}) {
                 const double spread =
-                    std::sqrt(prior.std() * prior.std() - prior.scale * prior.scale);
+                    std::sqrt(prior.std_dev() * prior.std_dev() - prior.scale * prior.scale);
                 add_part(parts, likelihood, mode, spread, -infinity, infinity);
             }
             break;
@@ -118,7 +119,7 @@ LengthLikelihood without_prior(double prior_mean, double prior_std, double poste
         return {};
     }
     return {.mean = prior_mean + (posterior_mean - prior_mean) / (part * ratio * ratio),
-            .std = prior_std / std::sqrt(part)};
+            .std_dev = prior_std / std::sqrt(part)};
 }
 
 LengthPosterior posterior_of(const LengthPrior& prior, const LengthLikelihood& likelihood) {
@@ -126,7 +127,7 @@ LengthPosterior posterior_of(const LengthPrior& prior, const LengthLikelihood& l
     const double bound = bound_of(prior);
     const auto [mean, variance] = mixture.moments();
     LengthPosterior posterior{.mean = mean,
-                              .std = std::sqrt(variance),
+                              .std_dev = std::sqrt(variance),
                               .lower = mixture.quantile(0.025),
                               .upper = mixture.quantile(0.975),
                               .slack_probability = mixture.marked()};
@@ -148,7 +149,7 @@ EdgeStatus status_of(double prior_std, const LengthPosterior& posterior) {
     if (posterior.slack_probability > 0.5) {
         return EdgeStatus::slack;
     }
-    return status_of(prior_std, posterior.std);
+    return status_of(prior_std, posterior.std_dev);
 }
 
 }  // namespace taut

@@ -31,7 +31,8 @@ struct Core {
 
 Core core_of(const LengthPrior& prior) {
     const double end = prior.kind == LengthPrior::Kind::normal ? 0.0 : prior.scale;
-    return {.end = end, .fall = std::sqrt(std::max(0.0, prior.std() * prior.std() - end * end))};
+    return {.end = end,
+            .fall = std::sqrt(std::max(0.0, prior.std_dev() * prior.std_dev() - end * end))};
 }
 
 /// W_b of (length-snooping).
@@ -51,7 +52,7 @@ Both both_of(const Hypothesis& pair, const std::vector<LengthPrior>& priors) {
     const LengthPrior& other = priors[pair.other];
     const auto [end, fall] = core_of(one);
     const auto [other_end, other_fall] = core_of(other);
-    return {.prior_variances = {one.std() * one.std(), other.std() * other.std()},
+    return {.prior_variances = {one.std_dev() * one.std_dev(), other.std_dev() * other.std_dev()},
             .core = {.end = end + other_end, .fall = std::hypot(fall, other_fall)}};
 }
 
@@ -88,7 +89,7 @@ void add_pairs(std::vector<Hypothesis>& all, const CableNet& net,
             for (size_t b = a + 1; b < at[node].size(); ++b) {
                 const int i = at[node][a];
                 const int j = at[node][b];
-                const double ratio = priors[i].std() / priors[j].std();
+                const double ratio = priors[i].std_dev() / priors[j].std_dev();
                 if (slides(net.interior_edges()[i], net.interior_edges()[j])) {
                     continue;  // what passes between them is a parameter
                 }
@@ -108,10 +109,10 @@ void add_pairs(std::vector<Hypothesis>& all, const CableNet& net,
 
 struct Estimate {
     double mean = 0.0;
-    double std = infinite;  ///< infinite: not known
+    double std_dev = infinite;  ///< infinite: not known
 
-    [[nodiscard]] bool is_known() const { return std::isfinite(std); }
-    [[nodiscard]] double variance() const { return std * std; }
+    [[nodiscard]] bool is_known() const { return std::isfinite(std_dev); }
+    [[nodiscard]] double variance() const { return std_dev * std_dev; }
 };
 
 /// The deviation to test. Of an edge that may be slack only a lower bound is known: it is no
@@ -119,14 +120,15 @@ struct Estimate {
 Estimate tested_deviation(const LengthLikelihood& likelihood) {
     const bool is_slack = likelihood.extension == -infinite;
     const Estimate known = is_slack ? Estimate{likelihood.slack_from, likelihood.slack_from_std}
-                                    : Estimate{likelihood.mean, likelihood.std};
+                                    : Estimate{likelihood.mean, likelihood.std_dev};
     return likelihood.extension < surely_taut_extension && known.mean <= 0.0 ? Estimate() : known;
 }
 
 /// (length-snooping)
 void test_length(Hypothesis& length, const LengthPrior& prior, const LengthLikelihood& likelihood) {
     const Estimate tested = tested_deviation(likelihood);
-    const Estimate found = tested.is_known() ? tested : Estimate{likelihood.mean, likelihood.std};
+    const Estimate found =
+        tested.is_known() ? tested : Estimate{likelihood.mean, likelihood.std_dev};
     length.is_lower_bound = likelihood.extension < surely_taut_extension;
     length.deviation(0) = found.mean;
     length.covariance(0, 0) = found.variance();
@@ -134,7 +136,7 @@ void test_length(Hypothesis& length, const LengthPrior& prior, const LengthLikel
     length.core_statistic = 0.0;
     if (tested.is_known()) {
         length.statistic =
-            tested.mean * tested.mean / (prior.std() * prior.std() + tested.variance());
+            tested.mean * tested.mean / (prior.std_dev() * prior.std_dev() + tested.variance());
         length.core_statistic = core_statistic(tested.mean, core_of(prior), tested.variance());
     }
 }
@@ -196,7 +198,7 @@ bool PairTests::take_estimate(Hypothesis& pair, const Eigen::Matrix2d& covarianc
         // makes one edge longer and the other shorter: the correlation is taken as -1.
         const Estimate one = tested_deviation(likelihoods[pair.index]);
         const Estimate other = tested_deviation(likelihoods[pair.other]);
-        const Eigen::Vector2d against(one.std, -other.std);
+        const Eigen::Vector2d against(one.std_dev, -other.std_dev);
         pair.deviation.head<2>() << one.mean, other.mean;
         pair.covariance.topLeftCorner<2, 2>() = against * against.transpose();
         return true;
@@ -299,9 +301,9 @@ void mark_swapped(std::vector<LengthOutlier>& outliers, const Hypotheses& hypoth
                   const CableNet& net, const std::vector<LengthPrior>& priors) {
     constexpr double apart = 5.0;   // standard deviations that the lengths differ by, at least
     constexpr double nearly = 3.0;  // standard deviations of the estimate and of the prior
-    const double prior = std::ranges::max(priors, {}, &LengthPrior::std).std();
+    const double prior = std::ranges::max(priors, {}, &LengthPrior::std_dev).std_dev();
     const auto fits = [&](const LengthOutlier& outlier, double difference) {
-        const double scatter = std::hypot(outlier.std, prior);
+        const double scatter = std::hypot(outlier.std_dev, prior);
         const double misfit = outlier.deviation - difference;
         const auto place = std::ranges::lower_bound(net.interior_edges(), outlier.edge) -
                            net.interior_edges().begin();
@@ -343,7 +345,7 @@ std::vector<Hypothesis> length_hypotheses(const CableNet& net,
         const auto width = [&](int edge) {
             const int i = net.interior_index(edge);
             return i < 0 ? std::pair(0.0, 0.0)
-                         : std::pair(priors[i].std(), net.unstressed_lengths()(edge));
+                         : std::pair(priors[i].std_dev(), net.unstressed_lengths()(edge));
         };
         const int named = std::ranges::max(stretch, {}, width);
         for (const int edge : stretch) {
@@ -394,16 +396,17 @@ std::vector<LengthPrior> priors_with_released(const Hypotheses& hypotheses, cons
     constexpr double widest_part_of_length = 0.25;
     std::vector<LengthPrior> result = priors;
     const double wide =
-        priors.empty() ? 0.0
-                       : released_width * std::ranges::max(priors, {}, &LengthPrior::std).std();
+        priors.empty()
+            ? 0.0
+            : released_width * std::ranges::max(priors, {}, &LengthPrior::std_dev).std_dev();
     const auto release = [&](const Hypothesis& hypothesis, int i, int k) {
         // Beside a rejected target the survey does not determine the edge: its prior is widened by
         // the deviation found with the target in use.
-        const double std = hypothesis.state == Hypothesis::State::released_for_good
-                               ? std::hypot(priors[i].std(), hypothesis.deviation(k))
-                               : wide;
+        const double std_dev = hypothesis.state == Hypothesis::State::released_for_good
+                                   ? std::hypot(priors[i].std_dev(), hypothesis.deviation(k))
+                                   : wide;
         const double length = net.unstressed_lengths()(net.interior_edges()[i]);
-        result[i] = {LengthPrior::Kind::normal, std::min(std, widest_part_of_length * length)};
+        result[i] = {LengthPrior::Kind::normal, std::min(std_dev, widest_part_of_length * length)};
     };
     for (const Suspect kind : {Suspect::length, Suspect::pair}) {
         for (const Hypothesis& hypothesis : hypotheses.of(kind)) {
@@ -428,13 +431,13 @@ double detectable_length(const Hypotheses& hypotheses, const CableNet& net,
             continue;
         }
         const double variance = length.is_lower_bound ? infinite : length.covariance(0, 0);
-        const double std = priors[length.index].std();
+        const double std_dev = priors[length.index].std_dev();
         const auto [end, fall] = core_of(priors[length.index]);
-        const double scatter = std::sqrt(std * std + variance);
+        const double scatter = std::sqrt(std_dev * std_dev + variance);
         estimates.push_back(
             {.bound = std::min(std::sqrt(length.threshold) * scatter,
                                end + std::sqrt(length.threshold * (fall * fall + variance))),
-             .std = scatter});
+             .std_dev = scatter});
     }
     return detectable_error(estimates);
 }
@@ -445,7 +448,7 @@ std::vector<LengthOutlier> length_outliers(const Hypotheses& hypotheses, const C
     const auto add = [&](const Hypothesis& one, int i, int k) -> LengthOutlier& {
         return result.emplace_back(LengthOutlier{.edge = net.interior_edges()[i],
                                                  .deviation = one.deviation(k),
-                                                 .std = one.std()(k),
+                                                 .std_dev = one.std_dev()(k),
                                                  .statistic = one.largest_statistic()});
     };
     for (const Hypothesis& one : hypotheses.found(Suspect::length)) {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "estimation/hypotheses.hpp"
+#include "estimation/length_posterior.hpp"
 #include "estimation/linearisation.hpp"
 #include "estimation/observations.hpp"
-#include "taut/estimation/length_posterior.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_prior.hpp"

@@ -161,11 +161,11 @@ void mix(LengthTrend& trend, const Likelihood& shown, const Places& at, const Le
     Eigen::VectorXd log_weights(at.runs > 0 ? 1 + std::ssize(run_widths) : 1);
     for (Eigen::Index k = 0; k < log_weights.size(); ++k) {
         widths.push_back(
-            k == 0 ? 0.0 : run_widths[static_cast<size_t>(k - 1)] * prior.std() / mean_length);
+            k == 0 ? 0.0 : run_widths[static_cast<size_t>(k - 1)] * prior.std_dev() / mean_length);
         Eigen::VectorXd stds = Eigen::VectorXd::Constant(count, widths.back());
-        stds(0) = mean_width * prior.std();
+        stds(0) = mean_width * prior.std_dev();
         if (at.struts >= 0) {
-            stds(at.struts) = strut_width * prior.std();
+            stds(at.struts) = strut_width * prior.std_dev();
         }
         if (at.adjustable >= 0) {
             stds(at.adjustable) = trend.adjustable_std;
@@ -232,8 +232,8 @@ LengthTrend trend_of(const LinearisedFit& fitted, const Observations& observatio
 
     // Non-linearity moves a mean by as much, so it is known no better; adjustable edges keep their
     // prior where that is better.
-    const double bias = nonlinearity * prior.std();
-    const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
+    const double bias = nonlinearity * prior.std_dev();
+    const double adjustable_bias = nonlinearity_of_adjustable * prior.std_dev();
     const bool has_many_edges = net.interior_edge_count() >= fewest_for_marginal_mode;
     const bool is_adjustable_unseen =
         at.adjustable >= 0 && (has_many_edges || trend.adjustable_std < adjustable_bias);

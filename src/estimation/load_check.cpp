@@ -7,7 +7,7 @@
 namespace taut {
 
 bool LoadCheck::is_missing() const {
-    return std > 0.0 && std::abs(force) > significant_std * std;
+    return std_dev > 0.0 && std::abs(force) > significant_std * std_dev;
 }
 
 LoadCheck check_loads(const LinearisedFit& fitted, double scale) {
@@ -21,7 +21,7 @@ LoadCheck check_loads(const LinearisedFit& fitted, double scale) {
     if (!(information > 0.0)) {
         return {};
     }
-    return {.force = score.gradient(0) / information, .std = std::sqrt(scale / information)};
+    return {.force = score.gradient(0) / information, .std_dev = std::sqrt(scale / information)};
 }
 
 }  // namespace taut

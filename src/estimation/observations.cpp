@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "numerics/symmetric_blocks.hpp"
+#include "survey/covariance.hpp"
 #include "taut/statics/tensions.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace taut {
 
@@ -109,7 +109,7 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
             const Eigen::Vector3d correlations = survey.correlations_of(node);
             if (!correlations.isZero(0.0)) {
                 const Eigen::Matrix3d S =
-                    weight_of({.std = noise.col(node), .correlations = correlations});
+                    weight_of({.std_dev = noise.col(node), .correlations = correlations});
                 observations.weights.col(node) = S.diagonal();
                 observations.cross_weights.col(node) << S(0, 1), S(0, 2), S(1, 2);
             }

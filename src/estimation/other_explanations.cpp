@@ -34,8 +34,8 @@ std::set<int> improbably_slack(const FitProblem& problem, const Explanation& fou
         const auto interior = std::ranges::lower_bound(net.interior_edges(), e);
         const bool is_interior = interior != net.interior_edges().end() && *interior == e;
         const auto place = interior - net.interior_edges().begin();
-        const double std = is_interior ? problem.knowledge.priors[place].std() : 0.0;
-        if (unused > improbable * std) {
+        const double std_dev = is_interior ? problem.knowledge.priors[place].std_dev() : 0.0;
+        if (unused > improbable * std_dev) {
             edges.emplace_back(unused, e);
         }
     }

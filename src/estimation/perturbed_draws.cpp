@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "adjustment/built_net_parts.hpp"
 #include "estimation/balanced_draw.hpp"
 #include "estimation/determinant_shift.hpp"
 #include "estimation/draw_fit.hpp"
@@ -19,6 +20,7 @@
 #include "estimation/marginal_mode.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
+#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 namespace {

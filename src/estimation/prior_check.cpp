@@ -18,7 +18,7 @@ constexpr int fewest_lengths = 8;
 }  // namespace
 
 bool FoundScale::is_contradicted() const {
-    return ratio > 0.0 && std > 0.0 && std::abs(ratio - 1.0) > significant_std * std;
+    return ratio > 0.0 && std_dev > 0.0 && std::abs(ratio - 1.0) > significant_std * std_dev;
 }
 
 bool PriorCheck::has_mean() const {
@@ -35,7 +35,7 @@ bool PriorCheck::is_untenable() const {
 
 bool PriorCheck::is_too_wide() const {
     constexpr double narrower = 0.8;
-    return likeliest.std() < narrower * checked.std();
+    return likeliest.std_dev() < narrower * checked.std_dev();
 }
 
 PriorCheck check_prior_by_lengths(const LengthPrior& prior, const PriorLikelihood& likelihood) {

@@ -7,6 +7,7 @@
 
 #include "net/sliding_nodes.hpp"
 #include "net/support_stiffness.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "statics/sliding.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -37,21 +38,21 @@ void observe_force(const ForceMeasurement& force, const std::vector<UncertainPar
                    Observations& result) {
     using Kind = UncertainParameter::Kind;
     result.tension(force.edge) = force.tension;
-    result.tension_weights(force.edge) = 1.0 / (force.std * force.std);
+    result.tension_weights(force.edge) = 1.0 / (force.std_dev * force.std_dev);
     const Kind kind = force.is_by_mass() ? Kind::mass : Kind::forces;
     int k = 0;
     for (const UncertainParameter& parameter : uncertain) {
         if (parameter.kind == kind) {
             // A cable that is heavier than given carries more than its frequency shows.
             result.tension_bias(force.edge, k) =
-                std::copysign(std::hypot(parameter.std * force.tension, force.shared_std),
+                std::copysign(std::hypot(parameter.std_dev * force.tension, force.shared_std),
                               kind == Kind::mass ? -force.tension : force.tension);
             return;
         }
         k += is_common(parameter) ? 1 : 0;
     }
     result.tension_weights(force.edge) =
-        1.0 / (force.std * force.std + force.shared_std * force.shared_std);
+        1.0 / (force.std_dev * force.std_dev + force.shared_std * force.shared_std);
 }
 
 PriorKnowledge::PriorKnowledge(const CableNet& net, const LengthPrior& prior)
@@ -65,7 +66,7 @@ PriorKnowledge::PriorKnowledge(const CableNet& net, const LengthPrior& prior)
     if (!nominal.balanced()) {
         throw NumericalError("the net as designed has no equilibrium in which its runs can slide");
     }
-    const Eigen::VectorXd tension = tensions(net, nominal.unstressed_lengths, nominal.form);
+    const Eigen::VectorXd tension = tensions_of(net, nominal.unstressed_lengths, nominal.form);
     for (const std::vector<int>& edges : sliding_stretches(net)) {
         StretchTension stretch{.edges = edges, .shares = {1.0}};
         double sum = 0.0;
@@ -110,7 +111,7 @@ bool PriorKnowledge::take_up_tensions(const CommonParameters& parameters,
 double PriorKnowledge::length_std() const {
     double sum = 0.0;
     for (const LengthPrior& prior : priors) {
-        sum += prior.std() * prior.std();
+        sum += prior.std_dev() * prior.std_dev();
     }
     return std::sqrt(sum / static_cast<double>(priors.size()));
 }
@@ -121,7 +122,7 @@ std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
     for (size_t k = 0; k < forces.measurements.size(); ++k) {
         const ForceMeasurement& force = forces.measurements[k];
         const bool is_rejected = !rejected_forces.empty() && rejected_forces[k];
-        if (!is_rejected && force.tension > surely_taut * force.std) {
+        if (!is_rejected && force.tension > surely_taut * force.std_dev) {
             slack[force.edge] = false;
         }
     }
@@ -169,20 +170,20 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
                      int common_parameters) {
     Observations result = observe(net, survey, noise, rejected, 1.0, common_parameters);
     for (Eigen::Index i = 0; i < result.variance.size(); ++i) {
-        const double std = knowledge.priors[i].std();
-        result.variance(i) = std * std;
+        const double std_dev = knowledge.priors[i].std_dev();
+        result.variance(i) = std_dev * std_dev;
     }
-    if (const double std = std_of(knowledge.uncertain, UncertainParameter::Kind::supports);
-        std > 0.0) {
+    if (const double std_dev = std_of(knowledge.uncertain, UncertainParameter::Kind::supports);
+        std_dev > 0.0) {
         for (const int node : net.supports()) {
-            result.support_weights.col(node).setConstant(1.0 / (std * std));
+            result.support_weights.col(node).setConstant(1.0 / (std_dev * std_dev));
         }
         const std::vector<int> coupled = coupled_supports(net);
         for (const ElasticSupport& support : net.elastic_supports()) {
             if (std::ranges::find(coupled, support.node) != coupled.end()) {
                 continue;  // of CommonParameters
             }
-            const Eigen::Matrix3d V = std * std * support.stiffness * support.stiffness;
+            const Eigen::Matrix3d V = std_dev * std_dev * support.stiffness * support.stiffness;
             result.load_variance.col(support.node) += V.diagonal();
             if (!V.isDiagonal(0.0)) {
                 result.cross_load_variance.conservativeResizeLike(
@@ -191,10 +192,10 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
             }
         }
     }
-    if (const double std = std_of(knowledge.uncertain, UncertainParameter::Kind::loads_each);
-        std > 0.0) {
+    if (const double std_dev = std_of(knowledge.uncertain, UncertainParameter::Kind::loads_each);
+        std_dev > 0.0) {
         for (const int node : net.free_nodes()) {
-            result.load_variance.col(node).array() += std * std;
+            result.load_variance.col(node).array() += std_dev * std_dev;
         }
     }
     result.set_evidence(knowledge.evidence);

@@ -19,8 +19,9 @@ constexpr double widest_used = 2.0;  // standard deviations of the prior
 constexpr double outlier_part = 0.005;
 constexpr double outlier_width = 6.0;  // standard deviations of the prior checked
 
-double normal_density(double x, double std) {
-    return std::exp(-0.5 * x * x / (std * std)) / (std * std::sqrt(2.0 * std::numbers::pi));
+double normal_density(double x, double std_dev) {
+    return std::exp(-0.5 * x * x / (std_dev * std_dev)) /
+           (std_dev * std::sqrt(2.0 * std::numbers::pi));
 }
 
 double normal_distribution(double x) {
@@ -28,19 +29,20 @@ double normal_distribution(double x) {
 }
 
 /// The density of an estimate with this standard deviation: the prior's, spread by its error.
-double density_of(const LengthPrior& prior, double mean, double std) {
+double density_of(const LengthPrior& prior, double mean, double std_dev) {
     switch (prior.kind) {
         case LengthPrior::Kind::uniform: {
             // By the small tails, to avoid cancellation.
-            const double near = (prior.scale - std::abs(mean)) / std;
-            const double far = (-prior.scale - std::abs(mean)) / std;
+            const double near = (prior.scale - std::abs(mean)) / std_dev;
+            const double far = (-prior.scale - std::abs(mean)) / std_dev;
             return (normal_distribution(near) - normal_distribution(far)) / (2.0 * prior.scale);
         }
         case LengthPrior::Kind::normal:
-            return normal_density(mean, std::hypot(std, prior.scale));
+            return normal_density(mean, std::hypot(std_dev, prior.scale));
         case LengthPrior::Kind::bimodal: {
-            const double fall = std::sqrt(prior.std() * prior.std() - prior.scale * prior.scale);
-            const double spread = std::hypot(std, fall);
+            const double fall =
+                std::sqrt(prior.std_dev() * prior.std_dev() - prior.scale * prior.scale);
+            const double spread = std::hypot(std_dev, fall);
             return 0.5 * (normal_density(mean - prior.scale, spread) +
                           normal_density(mean + prior.scale, spread));
         }
@@ -53,21 +55,21 @@ double density_of(const LengthPrior& prior, double mean, double std) {
 PriorLikelihood::PriorLikelihood(const LengthPrior& prior,
                                  const std::vector<LengthLikelihood>& likelihoods,
                                  const std::vector<bool>& left_out)
-    : m_prior_std(prior.std()) {
+    : m_prior_std(prior.std_dev()) {
     for (size_t i = 0; i < likelihoods.size(); ++i) {
         const LengthLikelihood& one = likelihoods[i];
-        if (!left_out[i] && one.std < widest_used * m_prior_std &&
+        if (!left_out[i] && one.std_dev < widest_used * m_prior_std &&
             one.extension > surely_taut_extension) {
-            m_lengths.emplace_back(one.mean, one.std);
+            m_lengths.emplace_back(one.mean, one.std_dev);
         }
     }
 }
 
 double PriorLikelihood::operator()(const LengthPrior& prior) const {
     double sum = 0.0;
-    for (const auto& [mean, std] : m_lengths) {
-        const double outlier_std = std::hypot(std, outlier_width * m_prior_std);
-        sum += std::log((1.0 - outlier_part) * density_of(prior, mean, std) +
+    for (const auto& [mean, std_dev] : m_lengths) {
+        const double outlier_std = std::hypot(std_dev, outlier_width * m_prior_std);
+        sum += std::log((1.0 - outlier_part) * density_of(prior, mean, std_dev) +
                         outlier_part * normal_density(mean, outlier_std));
     }
     return sum;
@@ -76,7 +78,7 @@ double PriorLikelihood::operator()(const LengthPrior& prior) const {
 LengthPrior PriorLikelihood::likeliest(LengthPrior::Kind kind) const {
     constexpr double widest = 10.0;
     constexpr int bits = 20;
-    const double unit = m_prior_std / LengthPrior{kind, 1.0}.std();
+    const double unit = m_prior_std / LengthPrior{kind, 1.0}.std_dev();
     const auto cost = [&](double log_scale) {
         return -(*this)({kind, unit * std::exp(log_scale)});
     };

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "taut/estimation/length_posterior.hpp"
+#include "estimation/length_posterior.hpp"
 #include "taut/sampling/length_prior.hpp"
 
 namespace taut {

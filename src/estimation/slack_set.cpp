@@ -19,7 +19,7 @@ constexpr double reach = 3.0;
 Eigen::VectorXd shortest_taut(const CableNet& net, const std::vector<LengthPrior>& priors) {
     Eigen::VectorXd result = net.unstressed_lengths();
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        result(net.interior_edges()[i]) -= reach * priors[i].std();
+        result(net.interior_edges()[i]) -= reach * priors[i].std_dev();
     }
     return result;
 }
@@ -64,8 +64,8 @@ std::vector<bool> slack_by_survey(const CableNet& net, const Observations& obser
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
         const double common = length_stds.size() > 0 ? length_stds(e) : 0.0;
-        const double std = std::hypot(measured_std(net, observations, e), common);
-        slack[e] = net.can_be_slack(e) && measured(e) + reach * std < shortest(e);
+        const double std_dev = std::hypot(measured_std(net, observations, e), common);
+        slack[e] = net.can_be_slack(e) && measured(e) + reach * std_dev < shortest(e);
     }
     return slack;
 }

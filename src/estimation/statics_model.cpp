@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sampling/uncertain_widths.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 

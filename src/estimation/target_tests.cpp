@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "numerics/small_dense.hpp"
-#include "taut/survey/covariance.hpp"
+#include "survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -30,7 +30,7 @@ double largest_scale_by_chance(size_t targets) {
 }
 
 PlaceNoise noise_of(const Survey& survey, const Points& noise, int node, double inflation = 1.0) {
-    return {.std = inflation * noise.col(node), .correlations = survey.correlations_of(node)};
+    return {.std_dev = inflation * noise.col(node), .correlations = survey.correlations_of(node)};
 }
 
 /// Of the targets in use.
@@ -160,7 +160,7 @@ void test_forces(Hypotheses& hypotheses, const std::vector<ForceMeasurement>& fo
     for (Hypothesis& hypothesis : hypotheses.of(Suspect::force)) {
         const ForceMeasurement& force = forces[hypothesis.index];
         const bool is_rejected = hypothesis.is_released();
-        const double noise = std::pow(inflation * force.std, 2);
+        const double noise = std::pow(inflation * force.std_dev, 2);
         const double variance = noise + (is_rejected ? 1.0 : -1.0) * variances(force.edge);
         const double residual = force.tension - tensions(force.edge);
         hypothesis.test = is_rejected ? Hypothesis::Test::released : Hypothesis::Test::in_use;
@@ -237,7 +237,7 @@ std::optional<ForceBias> force_bias(const Hypotheses& hypotheses) {
     const std::vector<Hypothesis> found = hypotheses.found(Suspect::force_scale);
     return found.empty() ? std::nullopt
                          : std::optional<ForceBias>(
-                               {.part = found[0].deviation(0), .std = found[0].std()(0)});
+                               {.part = found[0].deviation(0), .std_dev = found[0].std_dev()(0)});
 }
 
 }  // namespace taut

@@ -35,7 +35,7 @@ struct Group {
         const double found = ratio();
         return found > 0.0 ? std::clamp(found, 1.0 / largest_scaling, largest_scaling) : 1.0;
     }
-    [[nodiscard]] FoundScale found() const { return {.ratio = ratio(), .std = ratio_std()}; }
+    [[nodiscard]] FoundScale found() const { return {.ratio = ratio(), .std_dev = ratio_std()}; }
 };
 
 /// Of the coordinates along x, y and z.
@@ -188,7 +188,7 @@ std::vector<FoundScale> scales_by_axis(const LinearisedFit& fitted, const Observ
         const double ratio = common * scales.noise(axis);
         result.push_back(
             {.ratio = ratio,
-             .std = ratio > 1.0 ? (ratio - 1.0) / statistic : groups[axis].ratio_std()});
+             .std_dev = ratio > 1.0 ? (ratio - 1.0) / statistic : groups[axis].ratio_std()});
     }
     return result;
 }
@@ -205,8 +205,8 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
     const Group lengths = length_group(fitted, observations, left_out);
     const Scales found = scaled_to_fit(fitted, observations, left_out, NoiseScales::common);
     VarianceComponents result{
-        .noise = {.ratio = found.noise(0), .std = noise.ratio_std()},
-        .lengths = {.ratio = found.lengths, .std = lengths.ratio_std()},
+        .noise = {.ratio = found.noise(0), .std_dev = noise.ratio_std()},
+        .lengths = {.ratio = found.lengths, .std_dev = lengths.ratio_std()},
         .noise_by_axis = scales_by_axis(fitted, observations, left_out, found.noise(0))};
     const bool is_too_large = result.noise.ratio < 1.0 && result.noise.is_contradicted();
     const bool has_axes = !result.noise_by_axis.empty();
@@ -231,7 +231,7 @@ VarianceComponents estimate_components(LinearisedFit& fitted, Observations& obse
     const double statistic =
         held_noise.ratio() > 0.0 ? (1.0 - held_noise.ratio()) / held_noise.ratio_std() : 0.0;
     if (is_too_large && statistic < significant_std) {
-        result.noise.std = (1.0 - result.noise.ratio) / std::max(least, statistic);
+        result.noise.std_dev = (1.0 - result.noise.ratio) / std::max(least, statistic);
     }
     return result;
 }

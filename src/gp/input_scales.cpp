@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/gp/input_scales.hpp"
+#include "gp/input_scales.hpp"
 
 #include <fmt/core.h>
 
@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "gp/inputs_check.hpp"
+#include "gp/likelihood_profile.hpp"
 #include "gp/minimise.hpp"
 #include "numerics/dense.hpp"
 #include "taut/gp/kernel.hpp"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gp/length_scale_search.hpp"
+#include "gp/likelihood_profile.hpp"
 #include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "gp/likelihood_profile.hpp"
 #include "taut/gp/fit.hpp"
 
 namespace taut::gp {

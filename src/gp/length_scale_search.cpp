@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include "gp/length_scale_search.hpp"
+#include "gp/likelihood_profile.hpp"
 
 #include <algorithm>
 #include <cmath>

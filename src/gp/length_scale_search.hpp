@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "gp/likelihood_profile.hpp"
 #include "taut/gp/likelihood.hpp"
 
 namespace taut::gp {

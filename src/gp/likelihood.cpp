@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gp/likelihood_profile.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/parallel.hpp"
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "gp/likelihood_profile.hpp"
 #include "gp/low_rank_spectrum.hpp"
 
 namespace taut::gp {

@@ -90,12 +90,13 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
         unexplained = (unexplained.array() >= 0.0)
                           .select(unexplained, is_rounding.select(rounding.array().min(1.0), 1.0));
     }
-    result.std(members, Eigen::all) =
+    result.std_dev(members, Eigen::all) =
         (signal_stds.asDiagonal() * unexplained.cwiseMax(0.0).cwiseSqrt()).eval();
     if (!spectrum.is_whole()) {
         // The error bound of the mean, (approximation-error), adds to the variance.
-        result.std(members, Eigen::all) =
-            (result.std(members, Eigen::all).array().square().colwise() + errors.array().square())
+        result.std_dev(members, Eigen::all) =
+            (result.std_dev(members, Eigen::all).array().square().colwise() +
+             errors.array().square())
                 .sqrt()
                 .eval();
     }
@@ -107,7 +108,7 @@ Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at)
     check_inputs(*this, at);
     const auto m = static_cast<Eigen::Index>(processes.size());
     Prediction result{.mean = Eigen::MatrixXd::Zero(m, at.cols()),
-                      .std = Eigen::MatrixXd::Zero(m, at.cols())};
+                      .std_dev = Eigen::MatrixXd::Zero(m, at.cols())};
     const Eigen::MatrixXd distances = squared_distances(inputs, at);
     parallel_for(size_t{0}, spectra.size(),
                  [&](size_t s) { predict_with_spectrum(*this, s, distances, result); });

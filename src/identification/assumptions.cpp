@@ -37,7 +37,7 @@ std::vector<Assumption> assumptions_of(const std::vector<UncertainParameter>& un
 std::vector<UncertainParameter> with_uncertain_widths(
     std::vector<UncertainParameter> uncertain, const std::vector<UncertainParameter>& given) {
     for (UncertainParameter& one : uncertain) {
-        one.std *= is_given(one, given) ? 1.0 : wider;
+        one.std_dev *= is_given(one, given) ? 1.0 : wider;
     }
     return uncertain;
 }
@@ -49,10 +49,10 @@ void name_assumed_widths(Identification& result, const std::vector<UncertainPara
         UncertainParameter& parameter = estimate.parameter;
         const auto assumed = std::ranges::find_if(uncertain, [&](const UncertainParameter& one) {
             return one.kind == parameter.kind && one.group == parameter.group &&
-                   std::abs(parameter.std - wider * one.std) < alike * parameter.std;
+                   std::abs(parameter.std_dev - wider * one.std_dev) < alike * parameter.std_dev;
         });
         if (assumed != uncertain.end() && !is_given(parameter, given)) {
-            parameter.std = assumed->std;
+            parameter.std_dev = assumed->std_dev;
         }
     }
 }

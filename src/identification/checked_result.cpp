@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "identification/parameter_estimates.hpp"
+#include "identification/parameter_spread.hpp"
 
 namespace taut {
 namespace {
@@ -24,13 +25,13 @@ double gain_of_scale(double ratio, double count) {
 }
 
 /// The same of one number that would otherwise be 0.
-double gain_of(double value, double std) {
-    return 0.5 * std::pow(value / std, 2);
+double gain_of(double value, double std_dev) {
+    return 0.5 * std::pow(value / std_dev, 2);
 }
 
 double gain_of_loads(const Identification& result) {
     const LoadCheck& loads = result.load_check;
-    return loads.is_missing() ? gain_of(loads.force, loads.std) : 0.0;
+    return loads.is_missing() ? gain_of(loads.force, loads.std_dev) : 0.0;
 }
 
 /// (other-causes): the one that explains most.
@@ -64,7 +65,7 @@ OtherCause other_cause_of(const CheckedResult& of) {
     }
     for (const ParameterSpread& spread : spreads_of(result.uncertain)) {
         if (spread.is_contradicted()) {
-            take(gain_of_scale(spread.ratio, spread.shown), spread.parameter.to_string());
+            take(gain_of_scale(spread.ratio, spread.shown), to_string(spread.parameter));
         }
     }
     cause.is_load_likeliest = is_load_likeliest;
@@ -74,7 +75,7 @@ OtherCause other_cause_of(const CheckedResult& of) {
 /// Whether one ratio is significantly above another.
 bool is_above(const FoundScale& one, const FoundScale& other) {
     constexpr double significant = 2.5;  // standard deviations
-    return one.ratio > (1.0 + significant * std::hypot(one.std, other.std)) * other.ratio;
+    return one.ratio > (1.0 + significant * std::hypot(one.std_dev, other.std_dev)) * other.ratio;
 }
 
 /// Along which axes a survey scatters more widely than given and than along the rest.
@@ -86,7 +87,7 @@ std::vector<int> axes_of_noise(const std::vector<FoundScale>& axes) {
     std::vector<int> found;
     bool has_rest = false;
     for (int k = 0; k < std::ssize(axes); ++k) {
-        const bool is_shown = axes[k].std > 0.0;
+        const bool is_shown = axes[k].std_dev > 0.0;
         if (is_shown && axes[k].is_contradicted() && !is_above(*worst, axes[k])) {
             found.push_back(k);
         } else {
@@ -120,15 +121,16 @@ const FoundScale& CheckedResult::noise() const {
 
 /// The ratio of n numbers has the standard deviation 1 / sqrt(2 n).
 bool CheckedResult::is_noise_likelier() const {
-    const auto& [ratio, std] = noise();
-    return !noise().is_contradicted() || gain_of_scale(ratio, 0.5 / (std * std)) > other_cause.gain;
+    const auto& [ratio, std_dev] = noise();
+    return !noise().is_contradicted() ||
+           gain_of_scale(ratio, 0.5 / (std_dev * std_dev)) > other_cause.gain;
 }
 
 bool CheckedResult::has_uneven_noise() const {
     const std::vector<FoundScale>& axes = result.scales.noise_by_axis;
     return std::ranges::any_of(axes, [&](const FoundScale& one) {
         return std::ranges::any_of(axes, [&](const FoundScale& other) {
-            return one.std > 0.0 && other.std > 0.0 && is_above(one, other);
+            return one.std_dev > 0.0 && other.std_dev > 0.0 && is_above(one, other);
         });
     });
 }
@@ -142,7 +144,8 @@ bool CheckedResult::has_scale() const {
 
 bool CheckedResult::has_mean() const {
     const PriorCheck& check = result.prior_check;
-    return check.has_mean() && std::abs(check.mean) > negligible_mean * result.length_prior.std();
+    return check.has_mean() &&
+           std::abs(check.mean) > negligible_mean * result.length_prior.std_dev();
 }
 
 bool CheckedResult::has_narrow_prior() const {
@@ -159,8 +162,8 @@ std::string and_more(std::vector<std::string> names) {
                        count > shown ? fmt::format(" and {} more", count - shown) : "");
 }
 
-std::string longer_text(double deviation, double std, std::string_view bound) {
-    return fmt::format("{}{:.1f} +- {:.1f} mm {}", bound, 1e3 * std::abs(deviation), 1e3 * std,
+std::string longer_text(double deviation, double std_dev, std::string_view bound) {
+    return fmt::format("{}{:.1f} +- {:.1f} mm {}", bound, 1e3 * std::abs(deviation), 1e3 * std_dev,
                        deviation < 0.0 ? "shorter" : "longer");
 }
 

@@ -59,7 +59,8 @@ struct CheckedResult {
 /// "0.40 +- 0.10 mm longer"
 /// @param deviation, std [m]
 /// @param bound before the number
-[[nodiscard]] std::string longer_text(double deviation, double std, std::string_view bound = "");
+[[nodiscard]] std::string longer_text(double deviation, double std_dev,
+                                      std::string_view bound = "");
 
 // Each adds the findings of one kind of check, docs/theory.md, Diagnostics.
 void test_loads(CheckedResult& of);  ///< (load-check)

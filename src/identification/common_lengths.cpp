@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "estimation/length_posterior.hpp"
 #include "identification/stretch_lengths.hpp"
-#include "taut/estimation/length_posterior.hpp"
 
 namespace taut {
 namespace {
@@ -39,39 +39,39 @@ void take_up_trend(Identification& result, const LengthTrend& trend,
     const Eigen::VectorXd stds = (gains * trend.root).rowwise().norm();
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
-        if (edge.status == EdgeStatus::slack || !(edge.std > 0.0)) {
+        if (edge.status == EdgeStatus::slack || !(edge.std_dev > 0.0)) {
             continue;
         }
         const auto k = static_cast<Eigen::Index>(i);
-        const double std = std::hypot(edge.std, stds(k));
-        const double wider = std / edge.std;
+        const double std_dev = std::hypot(edge.std_dev, stds(k));
+        const double wider = std_dev / edge.std_dev;
         const double before = edge.length_deviation;
         edge.length_deviation += shifts(k);
         edge.lower = edge.length_deviation - wider * (before - edge.lower);
         edge.upper = edge.length_deviation + wider * (edge.upper - before);
-        edge.std = std;
-        edge.status = status_of(std_before(result, edge.edge, result.length_prior.std()),
-                                {.std = std, .slack_probability = 0.0});
+        edge.std_dev = std_dev;
+        edge.status = status_of(std_before(result, edge.edge, result.length_prior.std_dev()),
+                                {.std_dev = std_dev, .slack_probability = 0.0});
     }
     int common = 0;
     int slip = model.common.first_of_slips();
     for (ParameterEstimate& one : result.uncertain) {
         Eigen::RowVectorXd gain = Eigen::RowVectorXd::Zero(trend.mean.size());
         if (one.edge < 0 && one.node < 0) {
-            gain = one.parameter.std * trend.common_gains.row(common++);
+            gain = one.parameter.std_dev * trend.common_gains.row(common++);
         } else if (one.parameter.kind == UncertainParameter::Kind::adjustable) {
             gain = gains_of({one.edge}, model, trend);
             one.prior_std = std::hypot(one.prior_std, trend.adjustable_std);
         } else if (one.parameter.kind == UncertainParameter::Kind::slip) {
-            gain = one.parameter.std * trend.common_gains.row(slip++);
+            gain = one.parameter.std_dev * trend.common_gains.row(slip++);
         }
         one.mean += gain * trend.mean;
-        one.std = std::hypot(one.std, (gain * trend.root).norm());
+        one.std_dev = std::hypot(one.std_dev, (gain * trend.root).norm());
     }
     for (size_t k = 0; k < result.stretches.size(); ++k) {
         StretchLength& one = result.stretches[k];
         const Eigen::RowVectorXd gain = gains_of(one.edges, model, trend).colwise().sum();
-        one.std = std::hypot(one.std, (gain * trend.root).norm());
+        one.std_dev = std::hypot(one.std_dev, (gain * trend.root).norm());
         const Eigen::RowVectorXd of_tension =
             knowledge.stretches[k].unit() *
             trend.common_gains.row(model.common.first_of_stretches() + static_cast<int>(k));
@@ -93,8 +93,8 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const LinearisedFi
     Eigen::VectorXd scale(edges.size());
     for (Eigen::Index k = 0; k < scale.size(); ++k) {
         const auto edge = std::ranges::find(result.edges, edges[k], &IdentifiedEdge::edge);
-        const double std = std::sqrt(linearised(k, k));
-        scale(k) = std > 0.0 ? edge->std / std : 0.0;
+        const double std_dev = std::sqrt(linearised(k, k));
+        scale(k) = std_dev > 0.0 ? edge->std_dev / std_dev : 0.0;
     }
     return {.edges = edges, .covariance = linearised.cwiseProduct(scale * scale.transpose())};
 }

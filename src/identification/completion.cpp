@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "identification/parameter_spread.hpp"
 #include "net/sliding_nodes.hpp"
 #include "taut/net/units.hpp"
 #include "taut/statics/tensions.hpp"
@@ -42,10 +43,10 @@ void set_edges(Identification& result, const CableNet& net, const std::vector<Le
         result.edges.push_back({.edge = edge,
                                 .nominal = net.unstressed_lengths()(edge),
                                 .length_deviation = posterior.mean,
-                                .std = posterior.std,
+                                .std_dev = posterior.std_dev,
                                 .lower = posterior.lower,
                                 .upper = posterior.upper,
-                                .status = status_of(priors[i].std(), posterior)});
+                                .status = status_of(priors[i].std_dev(), posterior)});
     }
 }
 
@@ -71,12 +72,13 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         constexpr double negligible = 1e-7;
         if (result.predicted.status == EquilibriumStatus::iteration_limit &&
             result.predicted.out_of_balance <=
-                negligible *
-                    taut::tensions(net, net.unstressed_lengths(), net.nodes()).cwiseAbs().mean()) {
+                negligible * taut::tensions_of(net, net.unstressed_lengths(), net.nodes())
+                                 .cwiseAbs()
+                                 .mean()) {
             result.predicted.status = EquilibriumStatus::slack_mechanism;
         }
         result.tensions =
-            tensions(identified, result.predicted.unstressed_lengths, result.predicted.form);
+            tensions_of(identified, result.predicted.unstressed_lengths, result.predicted.form);
     };
     if (result.uncertain.empty() && !result.frame_offset && result.boundary_outliers.empty()) {
         balance(net, lengths);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "estimation/hypotheses.hpp"
-#include "taut/estimation/length_posterior.hpp"
+#include "estimation/length_posterior.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 

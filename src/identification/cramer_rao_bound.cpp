@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/identification/cramer_rao_bound.hpp"
+#include "identification/cramer_rao_bound.hpp"
 
 #include <utility>
 
@@ -26,9 +26,9 @@ Eigen::VectorXd cramer_rao_variances(const CableNet& net,
     truth.deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges());
     const LinearisedFit fit = linearised_fit(
         model, std::move(truth),
-        observe(net, survey, with_noise_floor(net, survey), none_rejected, prior.std()));
+        observe(net, survey, with_noise_floor(net, survey), none_rejected, prior.std_dev()));
     // At loose nodes they can be lost in rounding errors: then the prior is all that is known.
-    const double of_prior = prior.std() * prior.std();
+    const double of_prior = prior.std_dev() * prior.std_dev();
     return fit.covariance.lengths.unaryExpr(
         [of_prior](double variance) { return variance > 0.0 ? variance : of_prior; });
 }

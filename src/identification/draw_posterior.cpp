@@ -12,9 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/length_posterior.hpp"
 #include "estimation/perturbed_draws.hpp"
+#include "identification/drawn_summary.hpp"
 #include "identification/stretch_lengths.hpp"
-#include "taut/estimation/length_posterior.hpp"
+#include "statics/elastic_stretch.hpp"
+#include "study/error_sums.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -33,7 +36,7 @@ LengthShift length_shift(const Eigen::MatrixXd& deviations, const Identification
     for (size_t i = 0; i < result.edges.size(); ++i) {
         const IdentifiedEdge& edge = result.edges[i];
         const double drawn = deviations.row(static_cast<Eigen::Index>(i)).mean();
-        const double z = edge.std > 0.0 ? (drawn - edge.length_deviation) / edge.std : 0.0;
+        const double z = edge.std_dev > 0.0 ? (drawn - edge.length_deviation) / edge.std_dev : 0.0;
         shift.mean += z / edges;
         shift.rms += z * z / edges;
     }
@@ -64,7 +67,7 @@ std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& d
     const double stretch = mean_stretch(net);
     double known = 0.0;
     for (const IdentifiedEdge& edge : result.edges) {
-        known += edge.std / static_cast<double>(result.edges.size());
+        known += edge.std_dev / static_cast<double>(result.edges.size());
     }
     const bool makes_no_way = drawn.is_of_chains && !std::isfinite(drawn.disagreement);
     if (stretch < known && (!drawn.is_of_chains || makes_no_way)) {
@@ -128,7 +131,7 @@ void set_open_edges(Identification& result, const std::vector<LengthPrior>& prio
         if (edge.status == EdgeStatus::slack && !slack_set[edge.edge]) {
             const LengthPosterior by_prior = posterior_of(priors[i], {});
             edge.length_deviation = by_prior.mean;
-            edge.std = by_prior.std;
+            edge.std_dev = by_prior.std_dev;
             edge.lower = by_prior.lower;
             edge.upper = by_prior.upper;
             edge.status = EdgeStatus::not_determined;
@@ -147,7 +150,7 @@ public:
     }
     [[nodiscard]] bool differs(const IdentifiedEdge& edge, double drawn) const {
         constexpr double sure = 4.0;  // of many edges
-        return m_of_all && std::abs(drawn - edge.length_deviation) <= sure * m_std * edge.std;
+        return m_of_all && std::abs(drawn - edge.length_deviation) <= sure * m_std * edge.std_dev;
     }
 
 private:
@@ -170,13 +173,13 @@ void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) 
                                      ? edge.length_deviation - estimate.mean
                                      : 0.0;
             edge.length_deviation = estimate.mean + shift;
-            edge.std = estimate.std;
+            edge.std_dev = estimate.std_dev;
             edge.lower = std::min(estimate.lower + shift, edge.length_deviation);
             edge.upper = std::max(estimate.upper + shift, edge.length_deviation);
         }
         const double slack = result.drawn.tensions[edge.edge].slack_probability;
         edge.status = status_of(prior_stds(static_cast<Eigen::Index>(i)),
-                                {.std = edge.std, .slack_probability = slack});
+                                {.std_dev = edge.std_dev, .slack_probability = slack});
     }
 }
 
@@ -261,11 +264,11 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
                          .forms = std::move(drawn.forms),
                          .tensions = std::move(drawn.tensions),
                          .seed = settings.seed,
-                         .how = drawn.is_of_chains  ? "Hamiltonian Monte Carlo"
-                                : drawn.is_refitted ? "a fit each to a perturbed survey"
-                                : drawn.length_shift.size() > 0
-                                    ? "perturbation of the fit, moved to the posterior mean"
-                                    : "perturbation of the fit",
+                         .method = drawn.is_of_chains  ? "Hamiltonian Monte Carlo"
+                                   : drawn.is_refitted ? "a fit each to a perturbed survey"
+                                   : drawn.length_shift.size() > 0
+                                       ? "perturbation of the fit, moved to the posterior mean"
+                                       : "perturbation of the fit",
                          .is_refitted = drawn.is_refitted,
                          .reason = std::move(reason)};
     if (has_all_lengths) {
@@ -273,8 +276,8 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     }
     std::vector<LengthPrior> priors = interior_priors(net, knowledge);
     for (size_t i = 0; i < priors.size() && !result.stretches.empty(); ++i) {
-        const double before = std_before(result, net.interior_edges()[i], priors[i].std());
-        if (before != priors[i].std()) {
+        const double before = std_before(result, net.interior_edges()[i], priors[i].std_dev());
+        if (before != priors[i].std_dev()) {
             priors[i] = {LengthPrior::Kind::normal, before};
         }
     }
@@ -292,7 +295,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
             priors);
     }
     Eigen::VectorXd prior_stds(std::ssize(priors));
-    std::ranges::transform(priors, prior_stds.begin(), &LengthPrior::std);
+    std::ranges::transform(priors, prior_stds.begin(), &LengthPrior::std_dev);
     summarise(result, net, survey, prior_stds);
 }
 

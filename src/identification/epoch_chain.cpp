@@ -10,6 +10,7 @@
 
 #include "identification/epoch_net.hpp"
 #include "identification/parameter_estimates.hpp"
+#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 namespace {
@@ -18,14 +19,14 @@ namespace {
 /// [m].
 double width_of(const LengthChange& change) {
     constexpr double wide = 4.0;
-    return wide * std::max(std::abs(change.change), change.std);
+    return wide * std::max(std::abs(change.change), change.std_dev);
 }
 
 double largest_actuator_std(std::span<const Epoch> epochs) {
     double actuator_std = 0.0;
     for (const Epoch& epoch : epochs) {
         for (const EdgeTurned& one : epoch.turned) {
-            actuator_std = std::max(actuator_std, one.std);
+            actuator_std = std::max(actuator_std, one.std_dev);
         }
     }
     return actuator_std;
@@ -61,7 +62,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
     actuator_std = std::min(actuator_std, m_widest_turn);
     if (actuator_std > 0.0 && !is_given) {
         m_uncertain.push_back(
-            {.kind = UncertainParameter::Kind::adjustable, .std = actuator_std, .group = {}});
+            {.kind = UncertainParameter::Kind::adjustable, .std_dev = actuator_std, .group = {}});
     }
     m_has_actuator_std = is_given || actuator_std > 0.0;
     m_entries = {.edges = net_to_fit(net, m_uncertain).interior_edges(),
@@ -84,7 +85,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
             add_variance(k, edge, least_actuator_std);
         }
         for (const EdgeTurned& one : epochs[k].turned) {
-            add_variance(k, one.edge, one.std);
+            add_variance(k, one.edge, one.std_dev);
         }
     }
     allow(changes);
@@ -97,19 +98,19 @@ bool EpochChain::is_adjustable(int edge) const {
 Eigen::VectorXd EpochChain::first_prior(const Eigen::VectorXd& stds) const {
     Eigen::VectorXd variances = Eigen::VectorXd::Ones(m_entries.size());
     for (size_t i = 0; i < m_entries.edges.size(); ++i) {
-        const double std =
-            is_adjustable(m_entries.edges[i]) ? stds(m_entries.edges[i]) : m_prior.std();
-        variances(static_cast<Eigen::Index>(i)) = std * std;
+        const double std_dev =
+            is_adjustable(m_entries.edges[i]) ? stds(m_entries.edges[i]) : m_prior.std_dev();
+        variances(static_cast<Eigen::Index>(i)) = std_dev * std_dev;
     }
     return variances;
 }
 
 /// From a survey on, adds to the variance of a length.
-void EpochChain::add_variance(size_t k, int edge, double std) {
+void EpochChain::add_variance(size_t k, int edge, double std_dev) {
     const Eigen::Index place = m_entries.place_of(edge);
-    m_states[k].added(place) += std * std;
+    m_states[k].added(place) += std_dev * std_dev;
     for (size_t j = k; j < m_states.size(); ++j) {
-        m_states[j].prior(place) += std * std;
+        m_states[j].prior(place) += std_dev * std_dev;
     }
 }
 
@@ -168,7 +169,7 @@ Given EpochChain::given(int k) const {
     for (UncertainParameter& parameter : result.uncertain) {
         if (parameter.kind == UncertainParameter::Kind::creep) {  // (creep); none at the first
             constexpr double hardly_any = 1e-6;
-            parameter.std *= std::max(hardly_any, std::sqrt(static_cast<double>(k)));
+            parameter.std_dev *= std::max(hardly_any, std::sqrt(static_cast<double>(k)));
         }
     }
     result.has_trend = !m_options.prior_exact;
@@ -180,9 +181,9 @@ Given EpochChain::given(int k) const {
     constexpr double a_little_more = 1.0 + 1e-6;
     result.own_stds = Eigen::VectorXd::Zero(m_net.edge_count());
     for (size_t i = 0; i < m_entries.edges.size(); ++i) {
-        const double std = std::sqrt(state.prior(static_cast<Eigen::Index>(i)));
-        if (is_adjustable(m_entries.edges[i]) || std > a_little_more * m_prior.std()) {
-            result.own_stds(m_entries.edges[i]) = std;
+        const double std_dev = std::sqrt(state.prior(static_cast<Eigen::Index>(i)));
+        if (is_adjustable(m_entries.edges[i]) || std_dev > a_little_more * m_prior.std_dev()) {
+            result.own_stds(m_entries.edges[i]) = std_dev;
         }
     }
     if (state.earlier.root.cols() + state.later.root.cols() > 0) {
@@ -207,7 +208,7 @@ void EpochChain::fit(size_t k, const Given& given, const Progress& progress) {
         std::erase_if(state.found.uncertain, is_creep);
     }
     for (ParameterEstimate& one : state.found.uncertain) {  // by its step, as it was given
-        one.parameter.std /= is_creep(one) ? std::sqrt(static_cast<double>(k)) : 1.0;
+        one.parameter.std_dev /= is_creep(one) ? std::sqrt(static_cast<double>(k)) : 1.0;
     }
     state.own = std::move(epoch.own);
 }
@@ -259,7 +260,7 @@ std::vector<SlipOrTarget> EpochChain::slips_or_targets(size_t k) const {
         }
         const LengthChange change{.edge = one.edge,
                                   .change = one.deviation,
-                                  .std = one.std,
+                                  .std_dev = one.std_dev,
                                   .statistic = std::sqrt(one.statistic)};
         LengthChange opposite = change;
         opposite.edge = one.other;
@@ -323,8 +324,8 @@ double EpochChain::movement_since(const Eigen::VectorXd& before) const {
     const Eigen::VectorXd moved = last_lengths() - before;
     double squares = 0.0;
     for (Eigen::Index i = 0; i < moved.size(); ++i) {
-        const double std = m_states.back().found.edges[static_cast<size_t>(i)].std;
-        squares += std::pow(moved(i) / std, 2);
+        const double std_dev = m_states.back().found.edges[static_cast<size_t>(i)].std_dev;
+        squares += std::pow(moved(i) / std_dev, 2);
     }
     return moved.size() > 0 ? std::sqrt(squares / static_cast<double>(moved.size())) : 0.0;
 }

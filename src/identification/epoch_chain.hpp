@@ -71,7 +71,7 @@ private:
     /// Variances of x before any turn.
     /// @param stds of adjustable edges' lengths (m)
     [[nodiscard]] Eigen::VectorXd first_prior(const Eigen::VectorXd& stds) const;
-    void add_variance(size_t k, int edge, double std);
+    void add_variance(size_t k, int edge, double std_dev);
     /// Widens what these changes say.
     void allow(const std::vector<EpochChanges>& changes);
     void fit(size_t k, const Given& given, const Progress& progress);

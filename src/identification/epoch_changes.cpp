@@ -47,7 +47,7 @@ std::optional<LengthChange> worst_change(const EvidenceTest::Changes& changes,
     }
     return LengthChange{.edge = *worst,
                         .change = changes.change(place),
-                        .std = changes.std(place),
+                        .std_dev = changes.std_dev(place),
                         .statistic = statistic};
 }
 
@@ -73,7 +73,7 @@ bool is_explained_by_strain(const EpochChanges& all_at_once,
     if (!strain || all_at_once.are_strokes_off()) {
         return false;
     }
-    const double statistic = std::abs(strain->strain) / strain->std;
+    const double statistic = std::abs(strain->strain) / strain->std_dev;
     return is_chance_but_for(all_at_once.agreement, statistic) &&
            (let_go.empty() || statistic > better * let_go.front().statistic);
 }
@@ -100,10 +100,10 @@ std::optional<EpochChanges::CommonStrain> common_strain(const EvidenceTest& test
                 lengths(entries.place_of(edge)) = net.unstressed_lengths()(edge);
             }
         }
-        const auto [strain, std] = test.change_along(lengths);
-        if (std::pow(strain / std, 2) > least) {
-            least = std::pow(strain / std, 2);
-            found = {.group = name, .strain = strain, .std = std};
+        const auto [strain, std_dev] = test.change_along(lengths);
+        if (std::pow(strain / std_dev, 2) > least) {
+            least = std::pow(strain / std_dev, 2);
+            found = {.group = name, .strain = strain, .std_dev = std_dev};
         }
     }
     return found;
@@ -119,10 +119,10 @@ void set_stroke_factor(EpochChanges& changes, const EvidenceTest& test, const Ep
             strokes(entries.place_of(one.edge)) = one.stroke;
         }
     }
-    const auto [more, std] = test.change_along(strokes);
-    if (std::isfinite(std)) {
+    const auto [more, std_dev] = test.change_along(strokes);
+    if (std::isfinite(std_dev)) {
         changes.stroke_factor = 1.0 + more;
-        changes.stroke_factor_std = std;
+        changes.stroke_factor_std = std_dev;
     }
 }
 
@@ -181,7 +181,7 @@ std::optional<SlipOrTarget> slip_to_target(const CableNet& net, const Survey& su
             }
             const LengthChange shorter{.edge = towards,
                                        .change = -d.dot(moved),
-                                       .std = survey.noise_std.col(node).norm(),
+                                       .std_dev = survey.noise_std.col(node).norm(),
                                        .statistic = std::sqrt(target.statistic)};
             LengthChange longer = shorter;
             longer.edge = from;
@@ -204,7 +204,8 @@ void take_out_slips(const CableNet& net, std::vector<LengthChange>& changes,
             const int node = std::ranges::find(ends, s) != ends.end() ? s : t;
             if (one.change * other.change < 0.0 && !net.is_support(node) &&
                 std::ranges::find(ends, node) != ends.end() &&
-                std::abs(one.change + other.change) < nearly * std::hypot(one.std, other.std)) {
+                std::abs(one.change + other.change) <
+                    nearly * std::hypot(one.std_dev, other.std_dev)) {
                 found.push_back({.node = node, .lengths = {one, other}});
                 std::erase_if(changes, [&](const LengthChange& change) {
                     return change.edge == one.edge || change.edge == other.edge;

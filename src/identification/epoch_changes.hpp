@@ -56,7 +56,7 @@ struct EpochChanges {
     struct CommonStrain {
         std::string group;  ///< empty: of all
         double strain = 0.0;
-        double std = 0.0;
+        double std_dev = 0.0;
     };
     std::optional<CommonStrain> common_strain;
     std::vector<SlipOrTarget> slips_or_targets;  ///< in which no other change is

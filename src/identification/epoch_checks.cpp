@@ -12,6 +12,7 @@
 
 #include "identification/epoch_net.hpp"
 #include "identification/identify_options.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/identification/force_units.hpp"
 
 namespace taut {
@@ -89,19 +90,21 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
         with_epoch(k, [&] { check_survey(net, survey); });
         check_changes_before(net, epochs, k);
         if (!survey.is_noisy()) {
-            throw EpochError(k, "is exact: several surveys need their noise (standard deviations)");
+            throw EpochError(static_cast<int>(k),
+                             "is exact: several surveys need their noise (standard deviations)");
         }
         for (size_t j = 0; j < k; ++j) {
             if (is_repeated(epochs[j].survey, survey)) {
-                throw EpochError(k, fmt::format("repeats survey {} as survey {} to the last digit: "
-                                                "one survey would be counted twice",
-                                                j + 1, k + 1));
+                throw EpochError(static_cast<int>(k),
+                                 fmt::format("repeats survey {} as survey {} to the last digit: "
+                                             "one survey would be counted twice",
+                                             j + 1, k + 1));
             }
         }
     }
 }
 
-size_t reported_epoch(std::span<const Epoch> epochs) {
+int reported_epoch(std::span<const Epoch> epochs) {
     size_t k = epochs.size();
     while (k > 0 && epochs[k - 1].is_loaded()) {
         --k;
@@ -115,7 +118,7 @@ size_t reported_epoch(std::span<const Epoch> epochs) {
     if (k == 0) {
         throw std::invalid_argument("every survey was made under loads hung on the net");
     }
-    return k - 1;
+    return static_cast<int>(k) - 1;
 }
 
 }  // namespace taut

@@ -15,7 +15,7 @@ auto with_epoch(size_t k, const Action& action) {
     try {
         return action();
     } catch (const SurveyError& error) {
-        throw EpochError(k, error.what());
+        throw EpochError(static_cast<int>(k), error.what());
     }
 }
 

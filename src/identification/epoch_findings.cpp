@@ -32,14 +32,14 @@ std::string contradiction_text(size_t before, double ratio) {
         before, before + 1, ratio);
 }
 
-std::string strokes_text(size_t before, double factor, double std) {
+std::string strokes_text(size_t before, double factor, double std_dev) {
     return fmt::format(
         "Between surveys {} and {} all edges were turned {:.3f} +- {:.3f} times as far as given.",
-        before, before + 1, factor, std);
+        before, before + 1, factor, std_dev);
 }
 
 std::string change_text(const LengthChange& change) {
-    return fmt::format("{:+.2f} +- {:.2f} mm", 1e3 * change.change, 1e3 * change.std);
+    return fmt::format("{:+.2f} +- {:.2f} mm", 1e3 * change.change, 1e3 * change.std_dev);
 }
 
 /// Reports adjustable edges that at the first survey are not as long as in the net.
@@ -50,11 +50,11 @@ void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
              .severity = Verdict::doubtful,
              .ids = {net.edge_id(change.edge)},
              .value = change.change,
-             .std = change.std,
+             .std_dev = change.std_dev,
              .reason = fmt::format("At the first survey adjustable edge {} differs by {} from the "
                                    "length given. taut used the length that the surveys show.",
                                    edge_or_cable(net, change.edge), change_text(change)),
-             .next = "Read the turnbuckle there."});
+             .advice = "Read the turnbuckle there."});
     }
 }
 
@@ -65,11 +65,11 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
         .kind = FindingKind::length_change,
         .severity = Verdict::doubtful,
         .value = change.change,
-        .std = change.std,
+        .std_dev = change.std_dev,
         .reason = fmt::format("{} the length of edge {} changed by {}. taut gave each survey a "
                               "length of its own for it.",
                               between, edge_or_cable(net, change.edge), change_text(change)),
-        .next =
+        .advice =
             "If it was turned, add it to the turns. Else check whether it slipped, was slack "
             "at one survey, or a support at it moved."};
     const std::vector<int> stretch = stretch_of(net, change.edge);
@@ -93,8 +93,8 @@ Trust::Finding change_finding(const CableNet& net, const EpochResult& epoch,
             "{} edge {} is given as turned by {:+.2f} mm, but its length changed by {:+.2f} +- "
             "{:.2f} mm. taut gave each survey a length of its own for it.",
             between, edge_or_cable(net, turned.front().edge), 1e3 * stroke,
-            1e3 * (stroke + change.change), 1e3 * change.std);
-        finding.next = "Check whether it was turned as given, and which way.";
+            1e3 * (stroke + change.change), 1e3 * change.std_dev);
+        finding.advice = "Check whether it was turned as given, and which way.";
     }
     return finding;
 }
@@ -108,7 +108,7 @@ Trust::Finding slip_finding(const CableNet& net, const SlipOrTarget& either,
             .severity = Verdict::doubtful,
             .ids = {net.edge_id(one.edge), net.edge_id(other.edge)},
             .value = one.change,
-            .std = one.std,
+            .std_dev = one.std_dev,
             .confounded_with = {net.node_id(either.node)},
             .reason = fmt::format(
                 "{} either the target of node {} went wrong, or a clamp slipped there: edge {} "
@@ -116,7 +116,7 @@ Trust::Finding slip_finding(const CableNet& net, const SlipOrTarget& either,
                 "edges hold either way.",
                 between, net.node_id(either.node), edge_or_cable(net, one.edge), change_text(one),
                 net.edge_id(other.edge), change_text(other)),
-            .next = "Check the clamp and the target."};
+            .advice = "Check the clamp and the target."};
 }
 
 /// (creep) that was not given.
@@ -124,20 +124,21 @@ Trust::Finding slip_finding(const CableNet& net, const SlipOrTarget& either,
 Trust::Finding creep_finding(const EpochChanges::CommonStrain& strain, double widest,
                              const std::string& between) {
     const UncertainParameter creep{.kind = UncertainParameter::Kind::creep,
-                                   .std = to_digits(std::abs(strain.strain), 2),
+                                   .std_dev = to_digits(std::abs(strain.strain), 2),
                                    .group = strain.group};
     return {.kind = FindingKind::uncertain_parameter,
             .severity = Verdict::doubtful,
-            .ids = {std::string(creep.name()) + (creep.group.empty() ? "" : "@" + creep.group)},
+            .ids = {std::string(to_string(creep.kind)) +
+                    (creep.group.empty() ? "" : "@" + creep.group)},
             .value = strain.strain,
-            .std = strain.std,
-            .remedy = Trust::Remedy{"uncertain", creep.std < widest ? creep.to_string() : ""},
+            .std_dev = strain.std_dev,
+            .remedy = Trust::Remedy{"uncertain", creep.std_dev < widest ? to_string(creep) : ""},
             .reason = fmt::format(
                 "{} the lengths of {} changed by {:+.2f} +- {:.2f} % in common.", between,
                 strain.group.empty() ? "all interior edges"
                                      : fmt::format("the edges of group {}", strain.group),
-                1e2 * strain.strain, 1e2 * strain.std),
-            .next =
+                1e2 * strain.strain, 1e2 * strain.std_dev),
+            .advice =
                 "Check the temperature of both surveys, and that they have one scale. If the "
                 "cables creep or bed in, state it."};
 }
@@ -151,7 +152,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
                                        .severity = Verdict::doubtful,
                                        .value = epoch.change_ratio,
                                        .reason = contradiction_text(k, epoch.change_ratio),
-                                       .next = what_to_check};
+                                       .advice = what_to_check};
     const bool are_strokes_off =
         std::abs(epoch.stroke_factor - 1.0) > significant_std * epoch.stroke_factor_std;
     if (is_significant && epoch.change_ratio > far_too_much && !are_strokes_off) {
@@ -167,9 +168,9 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
             {.kind = FindingKind::turns,
              .severity = Verdict::failed,
              .value = epoch.stroke_factor,
-             .std = epoch.stroke_factor_std,
+             .std_dev = epoch.stroke_factor_std,
              .reason = strokes_text(k, epoch.stroke_factor, epoch.stroke_factor_std),
-             .next = "Check the sign and unit of what was turned, and the length of a turn."});
+             .advice = "Check the sign and unit of what was turned, and the length of a turn."});
     }
     for (const LengthChange& change : epoch.changes) {
         trust.findings.push_back(change_finding(net, epoch, change, between));
@@ -188,7 +189,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch,
                                    "square), more than the standard deviation given. taut took it "
                                    "into account.",
                                    between, 1e3 * epoch.excess_actuator_std),
-             .next = "Give it as the standard deviation of what was turned."});
+             .advice = "Give it as the standard deviation of what was turned."});
     } else if (is_significant) {
         trust.findings.push_back(contradiction);
     }

@@ -19,9 +19,11 @@
 #include "identification/epoch_checks.hpp"
 #include "identification/epoch_findings.hpp"
 #include "identification/epoch_net.hpp"
+#include "identification/identify_options.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/prior_mixture.hpp"
 #include "identification/repeated_surveys.hpp"
+#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 namespace {
@@ -43,10 +45,10 @@ IdentifyOptions with_own_widths(const CableNet& net, IdentifyOptions options, do
     const double widest_support = net.unstressed_lengths().minCoeff() / 3.0;  // may be uncertain
     for (UncertainParameter& one : options.uncertain) {
         if (is_of_each_survey(one)) {
-            one.std *= factor;
+            one.std_dev *= factor;
         }
         if (one.kind == Kind::supports) {
-            one.std = std::min(one.std, widest_support);
+            one.std_dev = std::min(one.std_dev, widest_support);
         }
     }
     return options;
@@ -59,7 +61,7 @@ void name_given_widths(Identification& result, const std::vector<UncertainParame
         for (const UncertainParameter& one : given) {
             if ((is_of_each_survey(one) || one.kind == Kind::creep) && one.kind == parameter.kind &&
                 one.group == parameter.group) {
-                parameter.std = one.std;
+                parameter.std_dev = one.std_dev;
             }
         }
     }
@@ -87,7 +89,7 @@ ScaledEpochs scaled_epochs(const CableNet& net, std::span<const Epoch> epochs,
         std::erase_if(uncertain, [](const auto& one) { return one.kind == Kind::adjustable; });
         uncertain.push_back(
             {.kind = Kind::adjustable,
-             .std = std::max(std_of(alone.uncertain, Kind::adjustable), widest_turn(net)),
+             .std_dev = std::max(std_of(alone.uncertain, Kind::adjustable), widest_turn(net)),
              .group = {}});
     }
     for (size_t k = 0; k < epochs.size(); ++k) {
@@ -228,7 +230,7 @@ std::optional<Identification> over_priors(const Surveys& all, const IdentifyOpti
     }
     return mixture_over(
         reported.net_at(reported.reported()), reported.survey_at(reported.reported()), nodes,
-        {.count = to_add.draws, .seed = to_add.seed},
+        {.count = draws_wanted(all.net, to_add), .seed = to_add.seed},
         [&](size_t k, const PosteriorSettings& wanted) -> std::optional<Identification> {
             EpochChain chain(all.net, all.epochs(), to_add, nodes[k].prior, 0.0, changes);
             return chain.converge(progress) ? std::optional(reported_of(chain, wanted, progress))
@@ -285,9 +287,10 @@ Together added_up(const Surveys& all, std::vector<EpochChanges>& changes,
     if (movement) {
         std::optional<Identification> mixture = over_priors(all, to_add, changes, chain, progress);
         together.is_mixture = mixture.has_value();
-        result = mixture
-                     ? *std::move(mixture)
-                     : reported_of(chain, {.count = to_add.draws, .seed = to_add.seed}, progress);
+        result = mixture ? *std::move(mixture)
+                         : reported_of(
+                               chain, {.count = draws_wanted(all.net, to_add), .seed = to_add.seed},
+                               progress);
         add_repeats(together.trust, chain);
     } else {
         result = chain.found(chain.reported());
@@ -301,7 +304,7 @@ Together added_up(const Surveys& all, std::vector<EpochChanges>& changes,
              .reason = fmt::format("The estimate from all surveys had not converged: it still "
                                    "moved by {:.2g} standard deviations.",
                                    *movement),
-             .next = "Identify from the last survey alone, and compare."});
+             .advice = "Identify from the last survey alone, and compare."});
     }
     all.name_widths(result);
     result.epochs = epoch_results(chain, all, changes);
@@ -339,9 +342,9 @@ void describe(Identification& result, const Surveys& all, bool is_mixture) {
     result.noise_scale = all.scaled.noise_scales[reported_epoch(all.epochs())];
     result.method = to_string(IdentificationMethod::map);
     result.method_reason = fmt::format("{} surveys are given", count);
-    result.how =
+    result.description =
         fmt::format("maximum a posteriori under the statics, by {} surveys, lengths {}{}", count,
-                    all.prior.to_string(),
+                    to_string(all.prior),
                     all.first.contradicted_prior ? ", a prior that the first survey shows" : "");
     result.assumptions = assumptions_of(all.options.uncertain, all.options.uncertain, result);
 }
@@ -376,7 +379,7 @@ Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
              .severity = Verdict::doubtful,
              .reason = "taut could not test whether lengths changed between the surveys: not every "
                        "survey converged with its adjustable lengths uncertain.",
-             .next = "Look at each survey by itself."});
+             .advice = "Look at each survey by itself."});
     }
     Identification& result = together.result;
     describe(result, all, together.is_mixture);

@@ -104,9 +104,10 @@ public:
             }
         };
         replace(wide_bound * unit, [&](size_t i) {
-            return !m_undetermined[i] && result[i].std > widest_part_of_bound * narrow_bound * unit;
+            return !m_undetermined[i] &&
+                   result[i].std_dev > widest_part_of_bound * narrow_bound * unit;
         });
-        replace(prior.std(), [&](size_t i) { return m_undetermined[i]; });
+        replace(prior.std_dev(), [&](size_t i) { return m_undetermined[i]; });
         bound_where_flat(result, prior);
         return result;
     }
@@ -171,7 +172,7 @@ void check_exact_form(Identification& result, const CableNet& net, const LengthP
         result.message = fmt::format(
             "is given as exact, but no lengths of the prior {} give its form: those found miss it "
             "by {:.3g} mm RMS. Give its noise, or another prior",
-            prior.to_string(), 1e3 * miss);
+            to_string(prior), 1e3 * miss);
     }
 }
 

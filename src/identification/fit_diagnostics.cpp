@@ -13,6 +13,7 @@
 #include "estimation/marginal_mode.hpp"
 #include "estimation/prior_check.hpp"
 #include "estimation/variance_components.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/statics/imbalance.hpp"
 
 namespace taut {
@@ -40,11 +41,11 @@ void set_mean(PriorCheck& check, const LinearisedFit& fitted, const Observations
     if (weights.size() >= fewest_for_marginal_mode) {
         constexpr double known_to = 0.5;  // the slope changes on the way: by trial
         constexpr double farthest = 4.0;  // standard deviations of the prior
-        const double h = 0.1 * check.checked.std();
+        const double h = 0.1 * check.checked.std_dev();
         Observations moved = observations;
         moved.mean.array() += h * (weights.array() > 0.0).cast<double>();
         by_mode = DeterminantSlope(fitted, observations).change(moved) / h / information;
-        if (!(std::abs(by_mode) < farthest * check.checked.std())) {
+        if (!(std::abs(by_mode) < farthest * check.checked.std_dev())) {
             return;
         }
         by_mode_std = known_to * std::abs(by_mode);
@@ -112,15 +113,15 @@ DetectableErrors detectable_of(const CableNet& net, const CableNet& fit_net, con
     result.scale = detectable_error(std::vector<BoundedEstimate>{
         {.bound = std::max(significant_std * scale_std,
                            negligible_scale * survey.rms_noise_std() / reach),
-         .std = scale_std}});
+         .std_dev = scale_std}});
     const double mean = detectable_error(std::vector<BoundedEstimate>{
         {.bound = std::max(significant_std * shown.prior.mean_std,
-                           negligible_mean * shown.prior.checked.std()),
-         .std = shown.prior.mean_std}});
+                           negligible_mean * shown.prior.checked.std_dev()),
+         .std_dev = shown.prior.mean_std}});
     const double load = detectable_error(std::vector<BoundedEstimate>{
-        {.bound = significant_std * shown.loads.std, .std = shown.loads.std}});
+        {.bound = significant_std * shown.loads.std_dev, .std_dev = shown.loads.std_dev}});
     // No net carries more.
-    if (load <= imbalance(net, net.unstressed_lengths(), net.nodes()).mean_tension) {
+    if (load <= imbalance_of(net, net.unstressed_lengths(), net.nodes()).mean_tension) {
         result.load = load;
     }
     constexpr double of_steel = 12e-6;  // [1/K]
@@ -135,9 +136,9 @@ DetectableErrors detectable_of(const CableNet& net, const CableNet& fit_net, con
         result.temperature = temperature;
     }
     for (const Hypothesis& forces : tested.of(Suspect::force_scale)) {
-        const double std = forces.std()(0);
-        result.force_scale = detectable_error(
-            std::vector<BoundedEstimate>{{.bound = std::sqrt(forces.threshold) * std, .std = std}});
+        const double std_dev = forces.std_dev()(0);
+        result.force_scale = detectable_error(std::vector<BoundedEstimate>{
+            {.bound = std::sqrt(forces.threshold) * std_dev, .std_dev = std_dev}});
     }
     return result;
 }

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "identification/parameter_estimates.hpp"
+#include "identification/parameter_spread.hpp"
 #include "net/rounded_length.hpp"
 #include "taut/net/units.hpp"
 
@@ -62,17 +63,17 @@ void test_forces(CheckedResult& of) {
                 .reason = fmt::format("Edges marked as slack or taut contradict the survey: {}. "
                                       "taut ignored all marks.",
                                       and_more(marks)),
-                .next = "Look at those edges again."});
+                .advice = "Look at those edges again."});
     }
     if (of.result.force_bias) {
         of.add({.kind = FindingKind::force_scale,
                 .severity = Verdict::doubtful,
                 .value = of.result.force_bias->part,
-                .std = of.result.force_bias->std,
+                .std_dev = of.result.force_bias->std_dev,
                 .reason = fmt::format("All force measurements are off by the same part, {:+.0f} "
                                       "%. taut used none of them.",
                                       1e2 * of.result.force_bias->part),
-                .next = "Check their unit and calibration."});
+                .advice = "Check their unit and calibration."});
         return;
     }
     if (of.result.force_measurements > std::ssize(of.result.force_outliers) &&
@@ -90,7 +91,7 @@ void test_forces(CheckedResult& of) {
                                                                            : "by the frequency of",
                                       of.net.edge_id(outlier.edge), 1e-3 * outlier.measured,
                                       1e-3 * outlier.expected),
-                .next = source_hint(outlier)});
+                .advice = source_hint(outlier)});
     }
 }
 
@@ -101,25 +102,26 @@ void add_given_stiffness(Trust& trust, const Identification& result, bool by_loa
     std::vector<std::string> others;
     for (const Kind kind : {Kind::forces, Kind::mass, Kind::loads, Kind::test_loads}) {
         if (is_estimated(result, kind)) {
-            others.emplace_back(UncertainParameter{.kind = kind}.name());
+            others.emplace_back(to_string(kind));
         }
     }
     for (const ParameterEstimate& one : result.uncertain) {
-        if (one.parameter.kind != Kind::stiffness || !(one.std < informed * one.prior_std)) {
+        if (one.parameter.kind != Kind::stiffness || !(one.std_dev < informed * one.prior_std)) {
             continue;
         }
         // What is shown without the prior of the stiffness.
-        const double information = std::pow(one.std, -2) - std::pow(one.prior_std, -2);
-        const double shown = one.mean * std::pow(one.std, -2) / information;
+        const double information = std::pow(one.std_dev, -2) - std::pow(one.prior_std, -2);
+        const double shown = one.mean * std::pow(one.std_dev, -2) / information;
         if (std::abs(shown) * std::sqrt(information) < largest) {
             continue;
         }
         const std::string& group = one.parameter.group;
         trust.findings.push_back(
             {.kind = FindingKind::given_stiffness,
-             .ids = {std::string(one.parameter.name()) + (group.empty() ? "" : "@" + group)},
+             .ids = {std::string(to_string(one.parameter.kind)) +
+                     (group.empty() ? "" : "@" + group)},
              .value = shown,
-             .std = 1.0 / std::sqrt(information),
+             .std_dev = 1.0 / std::sqrt(information),
              .confounded_with = others,
              .reason = fmt::format(
                  "The {} contradict the given stiffness{}: with the form they show cables {:.1f} "
@@ -127,12 +129,12 @@ void add_given_stiffness(Trust& trust, const Identification& result, bool by_loa
                  by_loads ? "known loads" : "force measurements",
                  group.empty() ? "" : " of " + group, 1e2 * std::abs(shown),
                  1e2 / std::sqrt(information), shown > 0.0 ? "stiffer" : "softer"),
-             .next = by_loads
-                         ? "All of them may be wrong by as much instead. Force measurements "
-                           "would tell."
-                         : "All of them may be wrong by as much instead (calibration, mass, or "
-                           "cable_ends): one survey cannot tell. A second one under a known load "
-                           "can."});
+             .advice = by_loads
+                           ? "All of them may be wrong by as much instead. Force measurements "
+                             "would tell."
+                           : "All of them may be wrong by as much instead (calibration, mass, or "
+                             "cable_ends): one survey cannot tell. A second one under a known load "
+                             "can."});
     }
 }
 
@@ -144,7 +146,7 @@ void test_uncertain(CheckedResult& of) {
             const double widest_part =
                 spread.parameter.kind == UncertainParameter::Kind::creep ? most_creep : 0.3;
             UncertainParameter wider = spread.parameter;
-            wider.std = to_digits(ratio * wider.std, 2);
+            wider.std_dev = to_digits(ratio * wider.std_dev, 2);
             const std::string group = wider.group.empty() ? std::string() : "@" + wider.group;
             const bool is_metric = wider.kind == UncertainParameter::Kind::adjustable ||
                                    wider.kind == UncertainParameter::Kind::supports ||
@@ -154,17 +156,17 @@ void test_uncertain(CheckedResult& of) {
             of.add(
                 {.kind = FindingKind::uncertain_parameter,
                  .severity = Verdict::failed,
-                 .ids = {std::string(wider.name()) + group},
+                 .ids = {std::string(to_string(wider.kind)) + group},
                  .value = ratio,
-                 .remedy =
-                     Trust::Remedy{"uncertain",
-                                   is_metric || wider.std < widest_part ? wider.to_string() : ""},
+                 .remedy = Trust::Remedy{"uncertain", is_metric || wider.std_dev < widest_part
+                                                          ? to_string(wider)
+                                                          : ""},
                  .reason = fmt::format("The survey shows {:.1f} times the standard deviation "
                                        "assumed of {}.",
-                                       ratio, spread.parameter.to_string()),
-                 .next = is_of_known_loads
-                             ? "Check the loads that hung on the net: their sign, unit and nodes."
-                             : "Check it on site, or assume a larger one."});
+                                       ratio, to_string(spread.parameter)),
+                 .advice = is_of_known_loads
+                               ? "Check the loads that hung on the net: their sign, unit and nodes."
+                               : "Check it on site, or assume a larger one."});
         }
     }
 }

@@ -68,7 +68,7 @@ std::string force_unit_warning(const CableNet& net,
     if (!design.balanced()) {
         return {};
     }
-    const Eigen::VectorXd designed = tensions(net, design.unstressed_lengths, design.form);
+    const Eigen::VectorXd designed = tensions_of(net, design.unstressed_lengths, design.form);
     std::string all;
     for (const ForceSource source :
          {ForceSource::load_cell, ForceSource::frequency, ForceSource::sag}) {

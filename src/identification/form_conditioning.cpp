@@ -7,7 +7,7 @@
 
 #include "estimation/observations.hpp"
 #include "estimation/target_tests.hpp"
-#include "taut/survey/covariance.hpp"
+#include "survey/covariance.hpp"
 
 namespace taut {
 
@@ -35,14 +35,14 @@ std::optional<double> ConditionedForm::common_noise_variance() const {
     if (m_survey.surveyed.empty()) {
         return std::nullopt;
     }
-    const double std = m_noise(0, m_survey.surveyed.front());
+    const double std_dev = m_noise(0, m_survey.surveyed.front());
     for (const int node : m_survey.surveyed) {
-        if ((m_noise.col(node).array() != std).any() ||
+        if ((m_noise.col(node).array() != std_dev).any() ||
             !m_survey.correlations_of(node).isZero(0.0)) {
             return std::nullopt;
         }
     }
-    return std * std;
+    return std_dev * std_dev;
 }
 
 /// On the targets that are not rejected.
@@ -103,7 +103,7 @@ void ConditionedForm::condition_by_factor(const Eigen::VectorXd& residual) {
         const int node = m_observed[i];
         const Eigen::Index at = Eigen::Index{3} * m_net.free_index(node);
         const Eigen::Matrix3d whiten = whitening_of(
-            {.std = m_noise.col(node), .correlations = m_survey.correlations_of(node)});
+            {.std_dev = m_noise.col(node), .correlations = m_survey.correlations_of(node)});
         whitened.segment<3>(3 * i) = whiten * residual.segment<3>(at);
         W.middleRows<3>(3 * i) =
             whiten * m_before.directions.middleCols<3>(at).transpose() * c_root.asDiagonal();

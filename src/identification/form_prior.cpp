@@ -17,7 +17,7 @@ FormPrior form_prior_of(const CableNet& net, const LengthModel& model,
     FormPrior prior{
         .mean = remainder.rowwise().mean(), .variances = {}, .directions = {}, .inputs = {}};
     remainder.colwise() -= prior.mean;
-    const Eigen::MatrixXd by_prior = gram(model.prior.std() * J.transpose());
+    const Eigen::MatrixXd by_prior = gram(model.prior.std_dev() * J.transpose());
     SymmetricEigen eigen = symmetric_eigen(shrunk_covariance(remainder) + by_prior);
     prior.variances = eigen.values.cwiseMax(0.0);  // what is below zero is rounding
     prior.directions = eigen.vectors.transpose();

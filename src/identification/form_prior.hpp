@@ -12,7 +12,7 @@ namespace taut {
 /// prior, taken as normal, through the linearised statics J, and the remainder e = x - J d of the
 /// training samples,
 ///
-///   mean(e),   prior.std()^2 J J' + cov(e),
+///   mean(e),   prior.std_dev()^2 J J' + cov(e),
 ///
 /// with cov(e) shrunk towards its diagonal.
 /// @param model of which nominal form, prior and length deviations are used

@@ -54,7 +54,7 @@ double largest_eigenvalue(const std::function<Eigen::VectorXd(const Eigen::Vecto
 Identifiability identifiability(const CableNet& net,
                                 const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                 const Eigen::Ref<const Points>& form) {
-    const Eigen::VectorXd tension = tensions(net, unstressed_lengths, form);
+    const Eigen::VectorXd tension = tensions_of(net, unstressed_lengths, form);
     const Eigen::VectorXd length = edge_lengths(net, form);
     Identifiability result;
     std::vector<int> taut_edges;

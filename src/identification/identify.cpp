@@ -12,6 +12,7 @@
 #include "identification/noise_estimate.hpp"
 #include "identification/over_priors.hpp"
 #include "identification/under_prior.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/identification/model.hpp"
 
 namespace taut {
@@ -32,7 +33,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         used.uncertain = with_uncertain_widths(assumed, options.uncertain);
     }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();
-    const AssumedPrior exactly{.prior = prior, .around = {}, .wanted = wanted_by(options)};
+    const AssumedPrior exactly{.prior = prior, .around = {}, .wanted = wanted_by(net, options)};
     Identification result = is_exact
                                 ? identify_under_prior(method, net, scaled, exactly, used, progress)
                                 : identify_over_priors(method, net, scaled, used, progress);

@@ -11,6 +11,7 @@
 
 #include "net/sliding_nodes.hpp"
 #include "platform/platform.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/identification/force_units.hpp"
 #include "taut/identification/model.hpp"
 
@@ -155,6 +156,10 @@ int default_draws(const CableNet& net) {
     return net.interior_edge_count() > few_edges || !net.is_linear() ? 40 : 200;
 }
 
+int draws_wanted(const CableNet& net, const IdentifyOptions& options) {
+    return options.draws.value_or(default_draws(net));
+}
+
 void check_draws(const CableNet& net, std::int64_t draws) {
     // A draw is in memory twice while it is written.
     const double bytes_a_draw =
@@ -195,7 +200,7 @@ void check_model(const CableNet& net, const LengthModel& model,
     if (prior && model.prior != *prior) {
         throw std::invalid_argument(
             fmt::format("the model was trained for the prior {}, expected {}",
-                        model.prior.to_string(), prior->to_string()));
+                        to_string(model.prior), to_string(*prior)));
     }
 }
 
@@ -207,7 +212,7 @@ KnownForces measured_by(const Forces& forces) {
 MethodChoice checked_method(const CableNet& net, const Survey& survey, const LengthPrior& prior,
                             const IdentifyOptions& options) {
     check_prior(net, prior);
-    check_draws(net, options.draws);
+    check_draws(net, draws_wanted(net, options));
     check_survey(net, survey);
     MethodChoice choice = choose_method(net, survey, options);
     check_survey_for(net, survey, choice.method);

@@ -19,6 +19,9 @@ struct MethodChoice {
 [[nodiscard]] MethodChoice checked_method(const CableNet& net, const Survey& survey,
                                           const LengthPrior& prior, const IdentifyOptions& options);
 
+/// Number of posterior samples: as given, or default_draws().
+[[nodiscard]] int draws_wanted(const CableNet& net, const IdentifyOptions& options);
+
 /// @throws std::invalid_argument for one of an edge that slides: the tension of its stretch is a
 ///   parameter of the fit, which no measurement of one edge tests
 void check_forces_on_runs(const CableNet& net, const Forces& forces);

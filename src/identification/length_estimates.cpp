@@ -19,17 +19,18 @@ LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
     gp::Prediction prediction =
         model.processes.predict(model.input_scales.asDiagonal() * form_deviations);
     const Eigen::MatrixXd means = mean_values(net, model.mean, model.nominal_form, form_deviations);
-    for (Eigen::Index i = 0; i < prediction.std.rows(); ++i) {
+    for (Eigen::Index i = 0; i < prediction.std_dev.rows(); ++i) {
         const gp::Process& process = model.processes.processes[i];
         if (process.status != gp::FitStatus::fitted) {
-            prediction.std.row(i).setConstant(model.prior.std());
+            prediction.std_dev.row(i).setConstant(model.prior.std_dev());
             continue;
         }
         const double noise = process.hyperparameters.noise_std;
         prediction.mean.row(i) += means.row(i);
-        prediction.std.row(i) = (prediction.std.row(i).array().square() + noise * noise).sqrt();
+        prediction.std_dev.row(i) =
+            (prediction.std_dev.row(i).array().square() + noise * noise).sqrt();
     }
-    return {.mean = std::move(prediction.mean), .std = std::move(prediction.std)};
+    return {.mean = std::move(prediction.mean), .std_dev = std::move(prediction.std_dev)};
 }
 
 }  // namespace taut

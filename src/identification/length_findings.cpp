@@ -24,7 +24,7 @@ constexpr int a_few_of_boundary = 3;
 
 /// A prior as one would write it, without the rounding errors of its last digit.
 std::string prior_text(const LengthPrior& prior) {
-    const std::string exact = prior.to_string();
+    const std::string exact = to_string(prior);
     return exact.substr(0, exact.find(':') + 1) + format_length(prior.scale);
 }
 
@@ -39,15 +39,15 @@ void test_runs(CheckedResult& of) {
     }
     const double at_edge =
         common.run_std * of.net.unstressed_lengths()(of.net.interior_edges()).mean();
-    if (at_edge > widest * of.result.length_prior.std()) {
+    if (at_edge > widest * of.result.length_prior.std_dev()) {
         of.add({.kind = FindingKind::run_scales,
                 .severity = Verdict::doubtful,
                 .value = common.run_std,
                 .reason = fmt::format("Runs of cable differ in scale by {:.2g} %, more than the "
                                       "prior {} allows.",
                                       100.0 * common.run_std, prior_text(of.result.length_prior)),
-                .next = "The prior may be too narrow, or cables were measured by different "
-                        "tapes."});
+                .advice = "The prior may be too narrow, or cables were measured by different "
+                          "tapes."});
     }
 }
 
@@ -56,15 +56,15 @@ void test_scale_of_prior(CheckedResult& of) {
     constexpr double standard_deviation = 1.5;  // of the prior over scales
     const PriorEstimate& prior = of.result.prior;
     if (of.result.prior_was_given && !prior.exact &&
-        prior.std - prior.std_std > standard_deviation * prior.given.std()) {
+        prior.std_dev - prior.std_std > standard_deviation * prior.given.std_dev()) {
         of.add({.kind = FindingKind::prior,
                 .severity = Verdict::doubtful,
-                .value = prior.std,
-                .reason =
-                    fmt::format("The lengths scatter by +-{:.2f} mm or more. The prior "
-                                "given, {}, allows +-{:.2f} mm.",
-                                1e3 * prior.std, prior_text(prior.given), 1e3 * prior.given.std()),
-                .next =
+                .value = prior.std_dev,
+                .reason = fmt::format("The lengths scatter by +-{:.2f} mm or more. The prior "
+                                      "given, {}, allows +-{:.2f} mm.",
+                                      1e3 * prior.std_dev, prior_text(prior.given),
+                                      1e3 * prior.given.std_dev()),
+                .advice =
                     "Give a wider prior, or none. Noise in plan that is larger than given can look "
                     "the same."});
     }
@@ -81,7 +81,7 @@ std::string length_text(const CheckedResult& of, const LengthOutlier& edge) {
     const auto found = std::ranges::find(of.result.edges, edge.edge, &IdentifiedEdge::edge);
     const bool is_slack = found != of.result.edges.end() && found->status == EdgeStatus::slack;
     return fmt::format("{} is {}{}", edge_or_cable(of.net, edge.edge), is_slack ? "slack and " : "",
-                       longer_text(edge.deviation, edge.std, is_slack ? "at least " : ""));
+                       longer_text(edge.deviation, edge.std_dev, is_slack ? "at least " : ""));
 }
 
 /// (slip), (swap)
@@ -94,14 +94,14 @@ void test_two_lengths(CheckedResult& of, const LengthOutlier& one, const LengthO
                     .severity = Verdict::doubtful,
                     .ids = {of.net.edge_id(one.edge), of.net.edge_id(one.other)},
                     .value = one.deviation,
-                    .std = one.std};
+                    .std_dev = one.std_dev};
     const std::string& node = one.node < 0 ? std::string() : of.net.node_id(one.node);
     if (one.is_swapped) {
         finding.reason = fmt::format(
             "Two cables have each other's length: {}. taut used the "
             "survey alone for both.",
             both);
-        finding.next = "Check whether they were swapped.";
+        finding.advice = "Check whether they were swapped.";
     } else if (one.is_beside_target) {
         finding.confounded_with = {node};
         finding.reason = fmt::format(
@@ -109,13 +109,13 @@ void test_two_lengths(CheckedResult& of, const LengthOutlier& one, const LengthO
             "slipped there: {}. taut left out the target; the "
             "intervals of both edges hold either way.",
             node, both);
-        finding.next = "Check the clamp and the target.";
+        finding.advice = "Check the clamp and the target.";
     } else {
         finding.reason = fmt::format(
             "A clamp slipped at node {}: {}. taut used the survey "
             "alone for both.",
             node, both);
-        finding.next = "Check the clamp.";
+        finding.advice = "Check the clamp.";
     }
     of.add(std::move(finding));
 }
@@ -126,32 +126,32 @@ void test_one_of_boundary(CheckedResult& of, const BoundaryOutlier& outlier) {
                     .severity = Verdict::doubtful};
     if (is_support) {
         const double distance = outlier.deviation.norm();
-        const double std = outlier.deviation.normalized().cwiseProduct(outlier.std).norm();
+        const double std_dev = outlier.deviation.normalized().cwiseProduct(outlier.std_dev).norm();
         finding.ids = {of.net.node_id(outlier.index)};
         finding.value = distance;
-        finding.std = std;
+        finding.std_dev = std_dev;
         finding.reason = fmt::format(
             "Support {} is {:.1f} +- {:.1f} mm from its design "
             "position. taut used the surveyed position.",
-            finding.ids[0], 1e3 * distance, 1e3 * std);
-        finding.next = fmt::format("Check the coordinates of support {}", finding.ids[0]);
+            finding.ids[0], 1e3 * distance, 1e3 * std_dev);
+        finding.advice = fmt::format("Check the coordinates of support {}", finding.ids[0]);
     } else {
         finding.ids = {of.net.edge_id(outlier.index)};
         finding.value = outlier.deviation.x();
-        finding.std = outlier.std.x();
+        finding.std_dev = outlier.std_dev.x();
         finding.reason = fmt::format(
             "Adjustable edge {} is {} than given. taut used the "
             "length that the survey shows.",
-            finding.ids[0], longer_text(outlier.deviation.x(), outlier.std.x()));
-        finding.next = fmt::format("Check the turnbuckle of edge {}", finding.ids[0]);
+            finding.ids[0], longer_text(outlier.deviation.x(), outlier.std_dev.x()));
+        finding.advice = fmt::format("Check the turnbuckle of edge {}", finding.ids[0]);
     }
     if (outlier.confounded_with >= 0) {
         finding.confounded_with = {is_support ? of.net.edge_id(outlier.confounded_with)
                                               : of.net.node_id(outlier.confounded_with)};
-        finding.next += fmt::format(", and {} {}: it would explain nearly as much",
-                                    is_support ? "edge" : "support", finding.confounded_with[0]);
+        finding.advice += fmt::format(", and {} {}: it would explain nearly as much",
+                                      is_support ? "edge" : "support", finding.confounded_with[0]);
     }
-    finding.next += '.';
+    finding.advice += '.';
     of.add(std::move(finding));
 }
 
@@ -164,24 +164,24 @@ void test_prior(CheckedResult& of) {
         of.add({.kind = FindingKind::common_deviation,
                 .severity = Verdict::failed,
                 .value = check.mean,
-                .std = check.mean_std,
+                .std_dev = check.mean_std,
                 .remedy = Trust::Remedy{"uncertain", ""},
                 .reason = fmt::format("All lengths deviate by {:+.2f} mm in common. Chance allows "
                                       "+-{:.2f} mm.",
                                       1e3 * check.mean, 1e3 * check.mean_std),
-                .next = "Turnbuckles, stiffness, temperature, the scale of the survey or the way "
-                        "of cutting can cause this. State what of it is uncertain."});
+                .advice = "Turnbuckles, stiffness, temperature, the scale of the survey or the way "
+                          "of cutting can cause this. State what of it is uncertain."});
     }
     test_runs(of);
     if (of.result.contradicted_prior && of.result.prior_was_given) {
         of.add({.kind = FindingKind::prior,
                 .severity = Verdict::doubtful,
-                .value = of.result.length_prior.std(),
+                .value = of.result.length_prior.std_dev(),
                 .reason = fmt::format("The lengths do not scatter as the prior given, {}, but "
                                       "as {} (log likelihood {:.0f} higher). taut used {}.",
                                       prior_text(of.result.contradicted_prior->checked), used,
                                       of.result.contradicted_prior->gain, used),
-                .next = "Check how the cables were cut."});
+                .advice = "Check how the cables were cut."});
     } else {
         test_scale_of_prior(of);
     }
@@ -196,14 +196,14 @@ void test_prior(CheckedResult& of) {
             .kind = FindingKind::prior,
             .severity =
                 check.is_untenable() && !check.is_too_wide() ? Verdict::failed : Verdict::doubtful,
-            .value = check.likeliest.std(),
+            .value = check.likeliest.std_dev(),
             .reason = fmt::format("The lengths of {} edges do not scatter as the prior {}, "
                                   "but as {} (log likelihood {:.0f} higher).",
                                   check.lengths, used, likeliest, check.gain),
-            .next = !is_likeliest  ? of.other_cause.advice()
-                    : is_by_chance ? "Give a wider prior, or none. Use this one only if the "
-                                     "cables were cut in two lengths."
-                                   : "Use that prior."};
+            .advice = !is_likeliest  ? of.other_cause.advice()
+                      : is_by_chance ? "Give a wider prior, or none. Use this one only if the "
+                                       "cables were cut in two lengths."
+                                     : "Use that prior."};
         if (is_likeliest && !is_by_chance) {
             finding.remedy = Trust::Remedy{"prior", likeliest};
         }
@@ -214,7 +214,7 @@ void test_prior(CheckedResult& of) {
                 .reason = fmt::format("{} lengths lie outside the prior {}: too many for single "
                                       "errors of cutting.",
                                       check.outliers, used),
-                .next = "Check the prior, the net and the frame."});
+                .advice = "Check the prior, the net and the frame."});
     } else if (of.has_narrow_prior()) {
         const size_t outliers = of.result.length_outliers.size();
         of.add({.kind = FindingKind::prior,
@@ -223,7 +223,7 @@ void test_prior(CheckedResult& of) {
                 .reason = fmt::format("{} of {} lengths lie outside the prior {}. Either so many "
                                       "cables are wrong, or the prior is too narrow.",
                                       outliers, of.result.edges.size(), used),
-                .next = "Give a wider prior, or none. What is then still named is wrong."});
+                .advice = "Give a wider prior, or none. What is then still named is wrong."});
     }
 }
 
@@ -234,11 +234,11 @@ void test_lengths(CheckedResult& of) {
                     .severity = Verdict::doubtful,
                     .ids = {of.net.edge_id(edge.edge)},
                     .value = edge.deviation,
-                    .std = edge.std,
+                    .std_dev = edge.std_dev,
                     .reason = fmt::format("Edge {} than designed, which the prior does not allow. "
                                           "taut used the survey alone for it.",
                                           length_text(of, edge)),
-                    .next = "Check how this cable was cut."});
+                    .advice = "Check how this cable was cut."});
         } else if (const auto* other = other_of(of, edge); other == nullptr || other > &edge) {
             test_two_lengths(of, edge, other);
         }
@@ -255,7 +255,7 @@ void test_boundary(CheckedResult& of) {
                 .reason = fmt::format("{} adjustable edges and supports contradict the survey, "
                                       "which does not show which of them are wrong.",
                                       of.result.boundary_not_released),
-                .next = "Check them, or state how uncertain they are."});
+                .advice = "Check them, or state how uncertain they are."});
     }
     for (const BoundaryOutlier& outlier : of.result.boundary_outliers) {
         test_one_of_boundary(of, outlier);
@@ -269,12 +269,12 @@ void test_elastic_supports(CheckedResult& of) {
                 .severity = Verdict::doubtful,
                 .ids = {id},
                 .value = support.distance,
-                .std = support.std,
+                .std_dev = support.std_dev,
                 .reason = fmt::format(
                     "Elastic support {} stands {:.1f} +- {:.1f} mm from its place without load, "
                     "or its stiffness is not as given. The prior allows less.",
-                    id, 1e3 * support.distance, 1e3 * support.std),
-                .next = "Check where it stands without load, and how stiff it is."});
+                    id, 1e3 * support.distance, 1e3 * support.std_dev),
+                .advice = "Check where it stands without load, and how stiff it is."});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sampling/uncertain_widths.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -95,7 +96,7 @@ class FreeStiffness {
 public:
     FreeStiffness(const CableNet& net, const Points& form) : m_net(net) {
         constexpr double part_that_holds_loose_nodes = 1e-10;
-        Eigen::SparseMatrix<double> matrix = stiffness(net, net.unstressed_lengths(), form);
+        Eigen::SparseMatrix<double> matrix = tangent_stiffness(net, net.unstressed_lengths(), form);
         Eigen::SparseMatrix<double> held(matrix.rows(), matrix.cols());
         held.setIdentity();
         matrix += part_that_holds_loose_nodes * matrix.diagonal().mean() * held;
@@ -197,7 +198,8 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     if (!equilibrium.balanced()) {
         return std::nullopt;
     }
-    const Eigen::VectorXd under = tensions(net, equilibrium.unstressed_lengths, equilibrium.form);
+    const Eigen::VectorXd under =
+        tensions_of(net, equilibrium.unstressed_lengths, equilibrium.form);
     const Eigen::VectorXd& designed = planned.tensions();
     const double highest = 2.0 * designed.cwiseAbs().maxCoeff();
     const Eigen::VectorXd& breaking = net.data().breaking_load;
@@ -230,7 +232,7 @@ std::optional<LoadResponse> response_to_load(const PlannedFit& planned, int node
     for (const UncertainParameter& one : planned.knowledge().uncertain) {
         if (one.kind == UncertainParameter::Kind::test_loads) {
             Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * net.node_count());
-            force(3 * node + 2) = -load * one.std;
+            force(3 * node + 2) = -load * one.std_dev;
             of_free.col(k) += free_stiffness.places_by(force);
         }
         if (one.kind == UncertainParameter::Kind::temperature) {

@@ -29,6 +29,7 @@
 #include "identification/parameter_estimates.hpp"
 #include "identification/slack_marks.hpp"
 #include "identification/stretch_lengths.hpp"
+#include "statics/elastic_stretch.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -38,11 +39,11 @@ namespace {
 std::string why_not_converged(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     const double stretch = mean_stretch(net);
     std::string text = "The fit did not converge within its iteration limit. ";
-    if (stretch < prior.std()) {
+    if (stretch < prior.std_dev()) {
         text += fmt::format(
             "The mean stretch of the cables is {:.2g} mm and the prior of their lengths +-{:.2g} "
             "mm, so any of them may be slack. A narrower prior would help, if it is true.",
-            1e3 * stretch, 1e3 * prior.std());
+            1e3 * stretch, 1e3 * prior.std_dev());
     } else {
         text += "Check net, loads, frame and noise.";
     }
@@ -99,7 +100,7 @@ void set_outliers(Identification& result, const CableNet& net, const SurveyFit& 
                                .index = outlier.edge,
                                .statistic = outlier.statistic};
         turned.deviation.x() = outlier.deviation;
-        turned.std.x() = outlier.std;
+        turned.std_dev.x() = outlier.std_dev;
         result.boundary_outliers.push_back(turned);
     }
     std::ranges::stable_sort(result.boundary_outliers, std::greater{}, &BoundaryOutlier::statistic);

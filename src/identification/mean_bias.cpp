@@ -30,10 +30,10 @@ std::optional<Survey> simulated(const CableNet& net, const Survey& survey, const
         if (!form.balanced()) {
             return std::nullopt;
         }
-        const auto seen = [&](int node, const Eigen::Vector3d& std) {
+        const auto seen = [&](int node, const Eigen::Vector3d& std_dev) {
             Eigen::Vector3d place = form.form.col(node);
             for (int axis = 0; axis < 3; ++axis) {
-                place(axis) += std(axis) * random.normal();
+                place(axis) += std_dev(axis) * random.normal();
             }
             return place;
         };
@@ -57,7 +57,7 @@ void take_out_mean_bias(Identification& result, const CableNet& net, const Surve
     constexpr double largest_bias = 0.6;  // standard deviations of the prior
     PriorCheck& check = result.prior_check;
     if (result.status != IdentificationStatus::converged || !check.has_mean() ||
-        std::abs(check.mean) > largest_bias * result.length_prior.std()) {
+        std::abs(check.mean) > largest_bias * result.length_prior.std_dev()) {
         return;
     }
     const std::optional<Survey> again = simulated(net, survey, result.length_prior, uncertain);

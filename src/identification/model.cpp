@@ -7,13 +7,13 @@
 #include <map>
 #include <stdexcept>
 
+#include "gp/input_scales.hpp"
 #include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
 #include "numerics/fnv1a.hpp"
 #include "numerics/parallel.hpp"
 #include "shared_work.hpp"
-#include "taut/gp/input_scales.hpp"
 #include "taut/net/cable_runs.hpp"
 
 namespace taut {
@@ -148,8 +148,8 @@ std::string_view to_string(KernelMetric metric) {
     return "unknown";
 }
 
-LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
-                  const TrainingSettings& settings, const Progress& progress) {
+LengthModel train_model(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
+                        const TrainingSettings& settings, const Progress& progress) {
     refuse_sliding(net, "training");
     check(net, data, samples);
     require_same_samples(data, samples);

@@ -36,7 +36,7 @@ std::optional<NetImbalance> local_imbalance(const CableNet& as_given) {
     constexpr double few = 6.0;  // a node drawn in a wrong place, and those next to it
     constexpr double few_of_nodes = 0.05;
     constexpr double most_of_nodes = 0.25;
-    const double mean = imbalance(net, net.unstressed_lengths(), net.nodes()).mean_tension;
+    const double mean = imbalance_of(net, net.unstressed_lengths(), net.nodes()).mean_tension;
     if (!(mean > 0.0)) {
         return std::nullopt;
     }
@@ -112,7 +112,7 @@ std::optional<Trust::Finding> net_balance_finding(const CableNet& net, const Ide
         .value = found->share,
         .reason =
             to_text(net, *found) + (is_contradicted ? " The survey contradicts it there." : ""),
-        .next =
+        .advice =
             "Check whether a cable or a load is missing there, or a node is drawn in a wrong "
             "place."};
     for (const int node : found->nodes) {

@@ -28,7 +28,7 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthPri
             return scale;  // the result reports it
         }
         const double ratio = fit.scales.noise.ratio;
-        if (!(fit.scales.noise.std < least_known * ratio)) {
+        if (!(fit.scales.noise.std_dev < least_known * ratio)) {
             break;
         }
         scaled = with_noise_times(std::move(scaled), ratio);

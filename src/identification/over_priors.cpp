@@ -16,8 +16,8 @@ namespace taut {
 namespace {
 
 /// Distance of two standard deviations, as a logarithm.
-double distance(double std, const LengthPrior& prior) {
-    return std::abs(std::log(std / prior.std()));
+double distance(double std_dev, const LengthPrior& prior) {
+    return std::abs(std::log(std_dev / prior.std_dev()));
 }
 
 /// A fit with a prior far from the truth rejects sound targets and lengths. So it is repeated with
@@ -32,7 +32,7 @@ std::pair<Identification, AssumedPrior> identify_at_centre(
     Identification result = identify_under_prior(method, net, survey, prior, options, progress);
     const PriorCheck by_given = result.prior_check;
     for (int k = 0; k < most_centres && result.status == IdentificationStatus::converged &&
-                    !result.prior.exact && distance(result.prior.std, prior.prior) > far;
+                    !result.prior.exact && distance(result.prior.std_dev, prior.prior) > far;
          ++k) {
         prior.prior = central_prior(result.prior);
         result = identify_under_prior(method, net, survey, prior, options, progress);
@@ -51,7 +51,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     constexpr double as_good_as = 0.05;
     const Hyperprior around =
         options.prior ? hyperprior_around(*options.prior) : broad_hyperprior();
-    const PosteriorSettings wanted = wanted_by(options);
+    const PosteriorSettings wanted = wanted_by(net, options);
     AssumedPrior first{
         .prior = around.centre, .around = around, .has_trend = true, .wanted = wanted};
     if (can_be_chained(net)) {  // a mixture as a rule; else a fit more, which is short
@@ -82,7 +82,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         prior.nodes = {{.prior = central_prior(prior)}};
     }
     if (prior.nodes.size() == 1 && prior.nodes.front().prior.kind == centre.length_prior.kind &&
-        distance(prior.nodes.front().prior.std(), centre.length_prior) < as_good_as) {
+        distance(prior.nodes.front().prior.std_dev(), centre.length_prior) < as_good_as) {
         prior.nodes.front().prior = centre.length_prior;
         return centre_alone();
     }
@@ -100,9 +100,9 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     prior.common = result.prior.common;
     result.prior = std::move(prior);
     result.contradicted_prior = centre.contradicted_prior;
-    result.how +=
-        fmt::format("\n  over {} priors: standard deviation of a length {:.2f} +- {:.2f} mm",
-                    result.prior.nodes.size(), 1e3 * result.prior.std, 1e3 * result.prior.std_std);
+    result.description += fmt::format(
+        "\n  over {} priors: standard deviation of a length {:.2f} +- {:.2f} mm",
+        result.prior.nodes.size(), 1e3 * result.prior.std_dev, 1e3 * result.prior.std_std);
     return result;
 }
 

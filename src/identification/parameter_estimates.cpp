@@ -11,8 +11,10 @@
 #include <utility>
 
 #include "estimation/hypotheses.hpp"
+#include "identification/parameter_spread.hpp"
 #include "net/support_stiffness.hpp"
 #include "net/weight_as_load.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -48,9 +50,10 @@ double rounded_up(double width, int digits) {
 /// The width of an adjustable edge as reported: as given, to three digits, since it may have been
 /// estimated from the surveys; or to two digits where it was set free, so that similar ones are
 /// grouped.
-double reported_width(double std, double given) {
+double reported_width(double std_dev, double given) {
     constexpr double alike = 1e-3;
-    return std::abs(std - given) < alike * given ? rounded_up(given, 3) : rounded_up(std, 2);
+    return std::abs(std_dev - given) < alike * given ? rounded_up(given, 3)
+                                                     : rounded_up(std_dev, 2);
 }
 
 class Estimates {
@@ -97,7 +100,7 @@ public:
             }
         }
         for (ParameterEstimate& one : m_result) {
-            one.prior_std = one.parameter.std;
+            one.prior_std = one.parameter.std_dev;
         }
         return std::move(m_result);
     }
@@ -105,10 +108,11 @@ public:
 private:
     /// @param k place among the common parameters
     void add_common(const UncertainParameter& parameter, int k) {
-        m_result.push_back({.parameter = parameter,
-                            .mean = parameter.std * m_fitted.common(k),
-                            .std = std_or(parameter.std * parameter.std * m_covariance.common(k, k),
-                                          parameter.std)});
+        m_result.push_back(
+            {.parameter = parameter,
+             .mean = parameter.std_dev * m_fitted.common(k),
+             .std_dev = std_or(parameter.std_dev * parameter.std_dev * m_covariance.common(k, k),
+                               parameter.std_dev)});
     }
 
     /// From the lengths as marked, those of the net, on: the net to fit has those that have slid in
@@ -125,10 +129,10 @@ private:
             last = at.after;
             m_result.push_back({.parameter = parameter,
                                 .edge = at.after,
-                                .mean = slip + parameter.std * m_fitted.common(first + k),
-                                .std = std_or(parameter.std * parameter.std *
-                                                  m_covariance.common(first + k, first + k),
-                                              parameter.std)});
+                                .mean = slip + parameter.std_dev * m_fitted.common(first + k),
+                                .std_dev = std_or(parameter.std_dev * parameter.std_dev *
+                                                      m_covariance.common(first + k, first + k),
+                                                  parameter.std_dev)});
         }
     }
 
@@ -145,19 +149,20 @@ private:
     void add_own_stiffness(const UncertainParameter& parameter) {
         const Eigen::VectorXd stds = own_stiffness_stds(m_net, m_knowledge.uncertain);
         for (const int edge : edges_of(m_net, parameter)) {
-            ParameterEstimate estimate{.parameter = parameter, .edge = edge, .std = parameter.std};
+            ParameterEstimate estimate{
+                .parameter = parameter, .edge = edge, .std_dev = parameter.std_dev};
             if (const double part = m_model.blur.stiffness(edge); part > 0.0) {
                 // The edge's own stiffness may be the sum of two parameters; this one is a part of
                 // it.
                 const double by_length = stds(edge) / std::sqrt(part);
-                const double own = std::pow(parameter.std / stds(edge), 2);
+                const double own = std::pow(parameter.std_dev / stds(edge), 2);
                 const Share length = share(edge, part);
                 estimate.mean =
                     m_model.own_stiffness_sign(edge, m_model.rates(edge, m_fitted).tension) * own *
                     by_length * length.mean;
-                estimate.std = std_or(own * own * by_length * by_length * length.variance +
-                                          (1.0 - own) * parameter.std * parameter.std,
-                                      parameter.std);
+                estimate.std_dev = std_or(own * own * by_length * by_length * length.variance +
+                                              (1.0 - own) * parameter.std_dev * parameter.std_dev,
+                                          parameter.std_dev);
             }
             m_result.push_back(std::move(estimate));
         }
@@ -168,18 +173,19 @@ private:
         std::vector<int> edges;
         std::ranges::copy_if(m_net.adjustable_edges(), std::back_inserter(edges), [&](int edge) {
             // Else it is known: not turned since.
-            return m_knowledge.priors[edge].std() >= 1e-3 * parameter.std;
+            return m_knowledge.priors[edge].std_dev() >= 1e-3 * parameter.std_dev;
         });
         std::ranges::stable_sort(edges, {},
-                                 [&](int edge) { return m_knowledge.priors[edge].std(); });
+                                 [&](int edge) { return m_knowledge.priors[edge].std_dev(); });
         for (const int edge : edges) {
             const Share length = share(edge, m_sites.variance(edge));
             UncertainParameter reported = parameter;
-            reported.std = reported_width(m_knowledge.priors[edge].std(), parameter.std);
+            reported.std_dev =
+                reported_width(m_knowledge.priors[edge].std_dev(), parameter.std_dev);
             m_result.push_back({.parameter = reported,
                                 .edge = edge,
                                 .mean = m_sites.mean(edge) + length.mean,
-                                .std = std::sqrt(std::max(0.0, length.variance))});
+                                .std_dev = std::sqrt(std::max(0.0, length.variance))});
         }
     }
 
@@ -218,7 +224,8 @@ private:
     /// (elastic-supports): the place of a support without load, by the force that its error adds.
     void add_place_of_elastic(const UncertainParameter& parameter, const ElasticSupport& support) {
         const Eigen::Matrix3d& K = support.stiffness;
-        const ForceShare force = force_share(support.node, parameter.std * parameter.std * K * K);
+        const ForceShare force =
+            force_share(support.node, parameter.std_dev * parameter.std_dev * K * K);
         const Eigen::Matrix3d flexibility = K.inverse();
         add_node(parameter, support.node, flexibility * force.mean,
                  flexibility * force.covariance * flexibility);
@@ -227,12 +234,14 @@ private:
     /// @param i position of the support in coupled_supports()
     void add_place_on_frame(const UncertainParameter& parameter, int node, int i) {
         const int first = m_model.common.first_of_places() + 3 * i;
-        add_node(parameter, node, parameter.std * m_fitted.common.segment<3>(first),
-                 parameter.std * parameter.std * m_covariance.common.block<3, 3>(first, first));
+        add_node(
+            parameter, node, parameter.std_dev * m_fitted.common.segment<3>(first),
+            parameter.std_dev * parameter.std_dev * m_covariance.common.block<3, 3>(first, first));
     }
 
     void add_own_loads(const UncertainParameter& parameter) {
-        const Eigen::Matrix3d own = parameter.std * parameter.std * Eigen::Matrix3d::Identity();
+        const Eigen::Matrix3d own =
+            parameter.std_dev * parameter.std_dev * Eigen::Matrix3d::Identity();
         for (const int node : m_net.free_nodes()) {
             const ForceShare load = force_share(node, own);
             add_node(parameter, node, load.mean, load.covariance);
@@ -246,7 +255,7 @@ private:
                                 .node = node,
                                 .axis = axis,
                                 .mean = mean(axis),
-                                .std = std::sqrt(std::max(0.0, covariance(axis, axis)))});
+                                .std_dev = std::sqrt(std::max(0.0, covariance(axis, axis)))});
         }
     }
 
@@ -269,7 +278,7 @@ Variances variances_of(std::span<const ParameterEstimate> estimates) {
     Variances sums;
     for (const ParameterEstimate& one : estimates) {
         sums.given += one.prior_std * one.prior_std;
-        sums.expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
+        sums.expected += std::max(0.0, one.prior_std * one.prior_std - one.std_dev * one.std_dev);
     }
     return sums;
 }
@@ -277,7 +286,7 @@ Variances variances_of(std::span<const ParameterEstimate> estimates) {
 }  // namespace
 
 bool ParameterEstimate::is_observed() const {
-    return std < not_determined_ratio * prior_std;
+    return std_dev < not_determined_ratio * prior_std;
 }
 
 double spread_ratio(std::span<const ParameterEstimate> estimates) {
@@ -315,7 +324,7 @@ std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& es
              .shown = static_cast<double>(last - first) * expected / given,
              .widening = first->parameter.kind == Kind::creep
                              ? 1.0  // a walk: its steps are as wide as all of it
-                             : first->prior_std / first->parameter.std});
+                             : first->prior_std / first->parameter.std_dev});
         first = last;
     }
     return result;
@@ -327,7 +336,7 @@ std::vector<DisplacedSupport> displaced_supports(const CableNet& net,
     constexpr double least_shown = 0.1;  // of the prior variance
     struct Found {
         double squared_distance = 0.0;
-        double std = 0.0;
+        double std_dev = 0.0;
         double statistic = 0.0;
     };
     std::map<int, Found> found;
@@ -335,9 +344,9 @@ std::vector<DisplacedSupport> displaced_supports(const CableNet& net,
         if (one.parameter.kind == Kind::supports && net.free_index(one.node) >= 0) {
             Found& of_node = found[one.node];
             const double prior = one.prior_std * one.prior_std;
-            const double shown = std::max(prior - one.std * one.std, least_shown * prior);
+            const double shown = std::max(prior - one.std_dev * one.std_dev, least_shown * prior);
             of_node.squared_distance += one.mean * one.mean;
-            of_node.std = std::max(of_node.std, one.std);
+            of_node.std_dev = std::max(of_node.std_dev, one.std_dev);
             of_node.statistic = std::max(of_node.statistic, one.mean * one.mean / shown);
         }
     }
@@ -347,7 +356,7 @@ std::vector<DisplacedSupport> displaced_supports(const CableNet& net,
         if (of_node.statistic > threshold) {
             result.push_back({.node = node,
                               .distance = std::sqrt(of_node.squared_distance),
-                              .std = of_node.std});
+                              .std_dev = of_node.std_dev});
         }
     }
     return result;
@@ -456,8 +465,8 @@ PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthPrior& prior,
     knowledge.uncertain = uncertain;
     knowledge.forces = forces;
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
-        if (const double std = stds(fit_net.interior_edges()[i]); std > 0.0) {
-            knowledge.priors[i] = {LengthPrior::Kind::normal, std};
+        if (const double std_dev = stds(fit_net.interior_edges()[i]); std_dev > 0.0) {
+            knowledge.priors[i] = {LengthPrior::Kind::normal, std_dev};
         }
     }
     return knowledge;

@@ -41,7 +41,7 @@ namespace taut {
 struct DisplacedSupport {
     int node = -1;
     double distance = 0.0;  ///< from its place [m]
-    double std = 0.0;       ///< the largest of a coordinate [m]
+    double std_dev = 0.0;   ///< the largest of a coordinate [m]
 };
 
 /// Elastic supports with a coordinate that its prior does not allow, docs/theory.md

@@ -11,6 +11,7 @@
 #include "identification/parameter_estimates.hpp"
 #include "identification/stretch_lengths.hpp"
 #include "numerics/dense.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -47,7 +48,7 @@ PlannedFit::PlannedFit(const CableNet& net, const Points& form, const Survey& su
     m_fit_net = net_to_fit(net, uncertain);
     const Eigen::VectorXd stds = adjustable_stds(net, uncertain);
     m_knowledge = knowledge_of(*m_fit_net, prior, uncertain, forces, stds);
-    StaticsModel model = designed_model(*m_fit_net, form, *m_knowledge, prior.std());
+    StaticsModel model = designed_model(*m_fit_net, form, *m_knowledge, prior.std_dev());
     const int common = model.common.count();
     Iterate design = nominal_iterate(*m_fit_net, common);
     design.form = form;

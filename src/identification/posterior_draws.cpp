@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/drawn_summary.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -27,7 +28,7 @@ DrawnEstimate estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
     const double mean = sorted.mean();
     const auto others = std::max(1.0, static_cast<double>(sorted.size() - 1));
     return {.mean = mean,
-            .std = std::sqrt((sorted.array() - mean).square().sum() / others),
+            .std_dev = std::sqrt((sorted.array() - mean).square().sum() / others),
             .lower = quantile(sorted, 0.025),
             .upper = quantile(sorted, 0.975)};
 }
@@ -53,7 +54,7 @@ DrawnSummary summary_of(const PosteriorDraws& draws, const CableNet& net,
             const Eigen::VectorXd values = draws.forms.row(3 * net.free_index(node) + k);
             const DrawnEstimate estimate = estimate_of(values);
             place.mean(k) = estimate.mean;
-            place.std(k) = estimate.std;
+            place.std_dev(k) = estimate.std_dev;
             place.lower(k) = estimate.lower;
             place.upper(k) = estimate.upper;
         }

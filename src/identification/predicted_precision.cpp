@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimation/length_posterior.hpp"
 #include "identification/planned_fit.hpp"
 #include "net/sliding_nodes.hpp"
-#include "taut/estimation/length_posterior.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -19,18 +19,18 @@ namespace {
 /// The most probable status of a taut edge, over deviations from the prior and errors of the survey
 /// at evenly spaced quantiles of both.
 /// @param std of the length deviation after the survey, to first order [m]
-EdgeStatus probable_status(const LengthPrior& prior, double std) {
-    LengthLikelihood likelihood = without_prior(0.0, prior.std(), 0.0, std);
-    if (!std::isfinite(likelihood.std)) {
+EdgeStatus probable_status(const LengthPrior& prior, double std_dev) {
+    LengthLikelihood likelihood = without_prior(0.0, prior.std_dev(), 0.0, std_dev);
+    if (!std::isfinite(likelihood.std_dev)) {
         return EdgeStatus::not_determined;
     }
     constexpr int count = 10;
-    const LengthPrior errors{LengthPrior::Kind::normal, likelihood.std};
+    const LengthPrior errors{LengthPrior::Kind::normal, likelihood.std_dev};
     std::array<int, 4> found{};
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < count; ++k) {
             likelihood.mean = prior.draw((i + 0.5) / count) + errors.draw((k + 0.5) / count);
-            const EdgeStatus status = status_of(prior.std(), posterior_of(prior, likelihood));
+            const EdgeStatus status = status_of(prior.std_dev(), posterior_of(prior, likelihood));
             ++found.at(static_cast<size_t>(status));
         }
     }
@@ -40,7 +40,7 @@ EdgeStatus probable_status(const LengthPrior& prior, double std) {
 /// Of the length deviations (m_I) [m2].
 Eigen::VectorXd length_variances(const PlannedFit& planned, const LengthPrior& prior) {
     const CableNet& net = planned.net();
-    const double of_prior = prior.std() * prior.std();
+    const double of_prior = prior.std_dev() * prior.std_dev();
     const Eigen::VectorXd blur =
         planned.model().blur.length_variances(planned.fit_net().interior_edge_count());
     const Eigen::VectorXd& found = planned.covariance().lengths;
@@ -84,7 +84,7 @@ void add_tensions(const PlannedFit& planned, double relative_force_std,
         const double left = of_mean - with_mean(e) * with_mean(e) / (variances(e) + noise * noise);
         result.force_candidates.push_back({.edge = e,
                                            .tension = tension,
-                                           .std = std::sqrt(variances(e)),
+                                           .std_dev = std::sqrt(variances(e)),
                                            .mean_std_if_measured = std::sqrt(std::max(0.0, left))});
     }
     std::ranges::sort(result.force_candidates, {}, [](const TensionPrecision& t) {
@@ -101,7 +101,7 @@ int PredictedPrecision::count(EdgeStatus status) const {
 double PredictedPrecision::rms_std() const {
     double sum = 0.0;
     for (const EdgePrecision& e : edges) {
-        sum += e.std * e.std;
+        sum += e.std_dev * e.std_dev;
     }
     return edges.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(edges.size()));
 }
@@ -116,17 +116,17 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
     const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
     const double slip_std = planned.model().common.slip_std();
     const std::vector<bool> slides = edges_that_slide(net);
-    PredictedPrecision result{.prior_std = prior.std(), .edges = {}};
+    PredictedPrecision result{.prior_std = prior.std_dev(), .edges = {}};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
-        const double std = std::sqrt(variances(i));
+        const double std_dev = std::sqrt(variances(i));
         const bool is_slack = std::ranges::binary_search(slack, edge);
-        result.edges.push_back({.edge = edge,
-                                .std = std,
-                                .status = is_slack ? EdgeStatus::slack
-                                          : slides[edge]
-                                              ? status_of(std::hypot(prior.std(), slip_std), std)
-                                              : probable_status(prior, std)});
+        result.edges.push_back(
+            {.edge = edge,
+             .std_dev = std_dev,
+             .status = is_slack       ? EdgeStatus::slack
+                       : slides[edge] ? status_of(std::hypot(prior.std_dev(), slip_std), std_dev)
+                                      : probable_status(prior, std_dev)});
     }
     add_tensions(planned, relative_force_std, result);
     return result;

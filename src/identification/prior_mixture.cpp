@@ -10,10 +10,11 @@
 #include <tuple>
 #include <utility>
 
+#include "estimation/length_posterior.hpp"
 #include "identification/completion.hpp"
 #include "identification/draw_posterior.hpp"
 #include "identification/stretch_lengths.hpp"
-#include "taut/estimation/length_posterior.hpp"
+#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 namespace {
@@ -28,13 +29,13 @@ bool has_unreliable_draws(const Identification& result) {
 /// Mean and standard deviation of a mixture.
 class Moments {
 public:
-    void add(double weight, double mean, double std) {
+    void add(double weight, double mean, double std_dev) {
         m_mean += weight * mean;
-        m_square += weight * (mean * mean + std * std);
-        m_within += weight * std * std;
+        m_square += weight * (mean * mean + std_dev * std_dev);
+        m_within += weight * std_dev * std_dev;
     }
     [[nodiscard]] double mean() const { return m_mean; }
-    [[nodiscard]] double std() const {
+    [[nodiscard]] double std_dev() const {
         // Rounding must not make it less than within the parts.
         return std::sqrt(std::max(m_square - m_mean * m_mean, m_within));
     }
@@ -49,10 +50,10 @@ template <class Get>
 std::pair<double, double> mixed(const std::vector<WeightedIdentification>& parts, const Get& get) {
     Moments moments;
     for (const WeightedIdentification& part : parts) {
-        const auto [mean, std] = get(part.result);
-        moments.add(part.weight, mean, std);
+        const auto [mean, std_dev] = get(part.result);
+        moments.add(part.weight, mean, std_dev);
     }
-    return {moments.mean(), moments.std()};
+    return {moments.mean(), moments.std_dev()};
 }
 
 /// Whether an edge is slack shows only by reliable draws of all parts, or where all of them say it.
@@ -73,13 +74,13 @@ IdentifiedEdge mixed_edge(const std::vector<WeightedIdentification>& parts, size
         slack += is_slack ? weight : 0.0;
         is_open = is_open || (!is_slack && has_unreliable_draws(result));
     }
-    std::tie(edge.length_deviation, edge.std) = mixed(parts, [i](const Identification& result) {
-        return std::pair(result.edges[i].length_deviation, result.edges[i].std);
+    std::tie(edge.length_deviation, edge.std_dev) = mixed(parts, [i](const Identification& result) {
+        return std::pair(result.edges[i].length_deviation, result.edges[i].std_dev);
     });
     edge.lower = std::clamp(quantile_of(ends, 0.025), lowest, edge.length_deviation);
     edge.upper = std::clamp(quantile_of(ends, 0.975), edge.length_deviation, highest);
     edge.status = status_of(std_before(parts.front().result, edge.edge, prior_std),
-                            {.std = edge.std, .slack_probability = is_open ? 0.0 : slack});
+                            {.std_dev = edge.std_dev, .slack_probability = is_open ? 0.0 : slack});
     return edge;
 }
 
@@ -154,7 +155,7 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
             all.reason = part.result.draws->reason;
         }
         if (part.result.draws->is_refitted) {
-            all.how = part.result.draws->how;
+            all.method = part.result.draws->method;
             all.is_refitted = true;
         }
     }
@@ -276,10 +277,10 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     }
     Moments prior;
     for (const auto& [weight, part] : parts) {
-        prior.add(weight, 0.0, part.length_prior.std());
+        prior.add(weight, 0.0, part.length_prior.std_dev());
     }
     for (size_t i = 0; i < result.edges.size(); ++i) {
-        result.edges[i] = mixed_edge(parts, i, prior.std());
+        result.edges[i] = mixed_edge(parts, i, prior.std_dev());
     }
     const auto is_other = [&](const WeightedIdentification& part) {
         return part.result.uncertain.size() != result.uncertain.size();
@@ -287,9 +288,9 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     // A part that released another adjustable edge has other parameters.
     const bool has_same_uncertain = std::ranges::none_of(parts, is_other);
     for (size_t k = 0; has_same_uncertain && k < result.uncertain.size(); ++k) {
-        std::tie(result.uncertain[k].mean, result.uncertain[k].std) =
+        std::tie(result.uncertain[k].mean, result.uncertain[k].std_dev) =
             mixed(parts, [k](const Identification& part) {
-                return std::pair(part.uncertain[k].mean, part.uncertain[k].std);
+                return std::pair(part.uncertain[k].mean, part.uncertain[k].std_dev);
             });
     }
     for (size_t k = 0; k < result.stretches.size(); ++k) {
@@ -298,8 +299,8 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
                          [&](const Identification& part) { return of_stretch(part.stretches[k]); })
                 .second;
         };
-        result.stretches[k].std = std_of(
-            [](const StretchLength& one) { return std::pair(one.length_deviation, one.std); });
+        result.stretches[k].std_dev = std_of(
+            [](const StretchLength& one) { return std::pair(one.length_deviation, one.std_dev); });
         result.stretches[k].tension_std = std_of(
             [](const StretchLength& one) { return std::pair(one.tension, one.tension_std); });
     }
@@ -312,7 +313,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     result.form_covariance = mixed_places(parts);
     if (result.draws) {
         result.draws = drawn_by(parts, draws);
-        set_summary_of_draws(result, net, survey, prior.std());
+        set_summary_of_draws(result, net, survey, prior.std_dev());
     }
     const Points start = result.predicted.form;
     predict_form(result, net, survey, start);

@@ -71,9 +71,10 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
-        const double variance = estimates.std(i, 0) * estimates.std(i, 0);
-        LengthLikelihood likelihood = without_prior(0.0, model.prior.std(), estimates.mean(i, 0),
-                                                    std::sqrt(variance + uncertainty.of_length(i)));
+        const double variance = estimates.std_dev(i, 0) * estimates.std_dev(i, 0);
+        LengthLikelihood likelihood =
+            without_prior(0.0, model.prior.std_dev(), estimates.mean(i, 0),
+                          std::sqrt(variance + uncertainty.of_length(i)));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         likelihood.extension = net.can_be_slack(edge)
                                    ? (likelihood.slack_from - estimates.mean(i, 0)) /
@@ -126,14 +127,14 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const double mean = estimates.mean(i, 0);
-        const double std = estimates.std(i, 0);
+        const double std_dev = estimates.std_dev(i, 0);
         result.edges.push_back({.edge = edge,
                                 .nominal = net.unstressed_lengths()(edge),
                                 .length_deviation = mean,
-                                .std = std,
-                                .lower = mean - half_interval_95 * std,
-                                .upper = mean + half_interval_95 * std,
-                                .status = status_of(model.prior.std(), std)});
+                                .std_dev = std_dev,
+                                .lower = mean - half_interval_95 * std_dev,
+                                .upper = mean + half_interval_95 * std_dev,
+                                .status = status_of(model.prior.std_dev(), std_dev)});
     }
     predict_form(result, net, survey, survey.form);
     const Eigen::VectorXd measured = edge_lengths(net, survey.form);
@@ -141,7 +142,7 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
         if (std::ranges::binary_search(result.predicted.slack_edges, e.edge)) {  // (slack-bound)
             e.lower = std::min(e.length_deviation, measured(e.edge) - e.nominal);
             e.upper = std::max(e.length_deviation, model.prior.reach());
-            e.std = model.prior.std();
+            e.std_dev = model.prior.std_dev();
             e.status = EdgeStatus::slack;
         }
     }

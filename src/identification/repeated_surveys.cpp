@@ -69,7 +69,7 @@ void add_repeats(Trust& trust, const EpochChain& chain) {
                      .reason = fmt::format("Surveys {} and {} have the same errors: they differ by "
                                            "{:.2g} times what chance allows.",
                                            a + 1, b + 1, difference),
-                     .next =
+                     .advice =
                          "Check that they are two surveys. If so, errors of the targets "
                          "themselves are in both, and the second adds less than taut assumes."});
             }

@@ -30,11 +30,11 @@ Eigen::VectorXd length_stds(const CableNet& net, const Identification& result) {
     Eigen::VectorXd stds = Eigen::VectorXd::Constant(net.edge_count(), known);
     for (const ParameterEstimate& one : result.uncertain) {
         if (one.parameter.kind == UncertainParameter::Kind::adjustable) {
-            stds(one.edge) = one.std;
+            stds(one.edge) = one.std_dev;
         }
     }
     for (const IdentifiedEdge& edge : result.edges) {
-        stds(edge.edge) = edge.std;
+        stds(edge.edge) = edge.std_dev;
     }
     return stds;
 }
@@ -100,9 +100,10 @@ Trust::Finding finding_of(const CableNet& net, const std::vector<SagError>& erro
                           "{} under the cable's own weight, which the net leaves out: the cable is "
                           "longer than taken here by {}.",
                           edges, size);
-    finding.next = is_modelled || !may_all_sag
-                       ? "Divide these edges by nodes."
-                       : R"(Give the net the sag of its cables: "sag_weight": "mass" in net.json.)";
+    finding.advice =
+        is_modelled || !may_all_sag
+            ? "Divide these edges by nodes."
+            : R"(Give the net the sag of its cables: "sag_weight": "mass" in net.json.)";
     return finding;
 }
 

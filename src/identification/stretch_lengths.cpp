@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/parameter_spread.hpp"
 #include "net/sliding_nodes.hpp"
 #include "taut/estimation/edge_status.hpp"
 
@@ -55,7 +56,7 @@ void take_up_slips(Identification& result, const CableNet& net, const PriorKnowl
         result.stretches.push_back({.edges = tension.edges,
                                     .nominal = net.unstressed_lengths()(tension.edges).sum(),
                                     .friction = tension.friction,
-                                    .std = std::sqrt(std::max(0.0, covariance.sum())),
+                                    .std_dev = std::sqrt(std::max(0.0, covariance.sum())),
                                     .tension_std = std::sqrt(std::max(0.0, variance))});
         for (IdentifiedEdge& edge : result.edges) {
             const auto at = std::ranges::find(tension.edges, edge.edge);
@@ -65,12 +66,12 @@ void take_up_slips(Identification& result, const CableNet& net, const PriorKnowl
             const auto k = at - tension.edges.begin();
             edge.length_deviation +=
                 designed(edge.edge) + common.slip(edge.edge, fitted.iterate.common);
-            edge.std = std::sqrt(std::max(0.0, covariance(k, k)));
-            edge.lower = edge.length_deviation - half_interval_95 * edge.std;
-            edge.upper = edge.length_deviation + half_interval_95 * edge.std;
+            edge.std_dev = std::sqrt(std::max(0.0, covariance(k, k)));
+            edge.lower = edge.length_deviation - half_interval_95 * edge.std_dev;
+            edge.upper = edge.length_deviation + half_interval_95 * edge.std_dev;
             if (edge.status != EdgeStatus::slack) {
-                edge.status =
-                    status_of(std_before(result, edge.edge, result.length_prior.std()), edge.std);
+                edge.status = status_of(
+                    std_before(result, edge.edge, result.length_prior.std_dev()), edge.std_dev);
             }
         }
     }
@@ -109,7 +110,7 @@ double std_before(const Identification& result, int edge, double prior_std) {
     });
     const bool slides = std::ranges::any_of(
         result.stretches, [&](const StretchLength& one) { return is_part(one, edge); });
-    return slides && slip != result.uncertain.end() ? std::hypot(prior_std, slip->parameter.std)
+    return slides && slip != result.uncertain.end() ? std::hypot(prior_std, slip->parameter.std_dev)
                                                     : prior_std;
 }
 

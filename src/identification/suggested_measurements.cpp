@@ -185,9 +185,9 @@ private:
     void add_cells() {
         const auto add = [&](int e, double tension) {
             constexpr double part = 0.02;
-            const double std = part * std::abs(tension);
-            add_force({.kind = MeasurementKind::load_cell, .expected = tension, .std = std},
-                      {.edge = e, .tension = tension, .std = std});
+            const double std_dev = part * std::abs(tension);
+            add_force({.kind = MeasurementKind::load_cell, .expected = tension, .std_dev = std_dev},
+                      {.edge = e, .tension = tension, .std_dev = std_dev});
         };
         for_taut_cables(add);
         for_struts(add);
@@ -199,12 +199,13 @@ private:
             const auto [s, t] = net().edges()[e];
             const double length = (form().col(s) - form().col(t)).norm();
             const double frequency = expected_frequency(net(), e, length, tension).value_or(0.0);
-            const double std = m_options.frequency_std * frequency;
+            const double std_dev = m_options.frequency_std * frequency;
             try {
-                add_force({.kind = MeasurementKind::frequency, .expected = frequency, .std = std},
-                          tension_by_frequency(net(), form(),
-                                               {.edge = e, .frequency = frequency, .std = std},
-                                               m_options.free_length_std));
+                add_force(
+                    {.kind = MeasurementKind::frequency, .expected = frequency, .std_dev = std_dev},
+                    tension_by_frequency(net(), form(),
+                                         {.edge = e, .frequency = frequency, .std_dev = std_dev},
+                                         m_options.free_length_std));
             } catch (const std::invalid_argument&) {  // its own check says whether it is a string
                 ++refused;
             }
@@ -228,10 +229,10 @@ private:
                 middle = std::max(middle, sag * across.norm());
                 points.push_back({.edge = e,
                                   .position = form().col(s) + x * chord + sag * across,
-                                  .std = noise});
+                                  .std_dev = noise});
             }
             try {
-                add_force({.kind = MeasurementKind::sag, .expected = middle, .std = noise},
+                add_force({.kind = MeasurementKind::sag, .expected = middle, .std_dev = noise},
                           tensions_by_sag(net(), form(), points).front());
             } catch (const std::invalid_argument&) {  // its own check says whether it is seen
                 ++refused;
@@ -250,7 +251,7 @@ private:
     void add_targets() {
         const double noise = m_survey.rms_noise_std();
         for (const int node : m_survey.missing) {
-            Candidate one{.what = {.kind = MeasurementKind::target, .node = node, .std = noise},
+            Candidate one{.what = {.kind = MeasurementKind::target, .node = node, .std_dev = noise},
                           .rates = {3, m_tensions.cols()},
                           .noise = noise * noise * Eigen::Matrix3d::Identity()};
             for (int i = 0; i < 3; ++i) {
@@ -304,7 +305,7 @@ struct Sought {
     Rates rates;    ///< G
     bool is_worst;  ///< the largest, not their mean
 
-    [[nodiscard]] double std(const Eigen::VectorXd& variances) const {
+    [[nodiscard]] double std_dev(const Eigen::VectorXd& variances) const {
         return std::sqrt(std::max(0.0, is_worst ? variances.maxCoeff() : variances.mean()));
     }
 };
@@ -337,14 +338,14 @@ public:
     }
 
     [[nodiscard]] const Eigen::MatrixXd& covariance() const { return m_covariance; }
-    [[nodiscard]] double std() const { return m_sought.std(m_variances); }
+    [[nodiscard]] double std_dev() const { return m_sought.std_dev(m_variances); }
     [[nodiscard]] double std_with(const Candidate& one) const {
         Eigen::MatrixXd explained = one.is_load()
                                         ? Eigen::MatrixXd(one.with_all * m_sought.rates.transpose())
                                         : Eigen::MatrixXd(one.rates * m_with_sought);
         one.factor(m_covariance).matrixL().solveInPlace(explained);
-        return m_sought.std(m_variances -
-                            Eigen::VectorXd(explained.colwise().squaredNorm().transpose()));
+        return m_sought.std_dev(m_variances -
+                                Eigen::VectorXd(explained.colwise().squaredNorm().transpose()));
     }
     /// @return E, by which the covariance has lost E'E
     Eigen::MatrixXd add(const Candidate& one) {
@@ -428,7 +429,7 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
     Update update(planned.joint_covariance(options.assume_site), numbers);
     MeasurementSuggestions result{.quantity = options.quantity,
                                   .mean_tension = mean_weights(net).dot(planned.tensions()),
-                                  .std = update.std(),
+                                  .std_dev = update.std_dev(),
                                   .steps = {},
                                   .left_out = std::move(candidates.left_out)};
     const auto cost_of = [&](const Candidate& one) {
@@ -447,7 +448,7 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
         std::optional<size_t> best;
         double best_worth = 0.0;
         for (size_t k = 0; k < left.size(); ++k) {
-            const double gain = std::log(update.std() / left[k]);
+            const double gain = std::log(update.std_dev() / left[k]);
             const double worth = gain / cost_of(candidates.all[k]);
             if (gain > least_gain && worth > best_worth) {
                 best = k;
@@ -461,7 +462,7 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
         const Eigen::MatrixXd explained = update.add(taken);
         total_cost += cost_of(taken);
         SuggestedMeasurement step = taken.what;
-        step.remaining_std = update.std();
+        step.remaining_std = update.std_dev();
         step.total_cost = total_cost;
         result.steps.push_back(step);
         std::erase_if(candidates.all, [&](const Candidate& one) {

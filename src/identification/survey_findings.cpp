@@ -86,17 +86,17 @@ void test_noise_along_axes(CheckedResult& of) {
     std::vector<std::string> texts;
     std::ranges::transform(of.noise_axes, std::back_inserter(texts),
                            [&](int axis) { return axis_text(of, axis); });
-    const auto& [ratio, std] = of.noise();
+    const auto& [ratio, std_dev] = of.noise();
     of.add({.kind = FindingKind::survey_noise,
             .severity = ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
             .value = ratio,
-            .std = std,
+            .std_dev = std_dev,
             .reason = fmt::format("In the net's frame the survey scatters {}, and less along the "
                                   "rest. Chance allows 1 +- {:.2f}.",
-                                  fmt::join(texts, ", and "), std),
-            .next = of.other_cause.is_load_likeliest ? std::string(load_first)
-                    : !of.is_noise_likelier()        ? of.other_cause.advice()
-                                                     : each_axis(of)});
+                                  fmt::join(texts, ", and "), std_dev),
+            .advice = of.other_cause.is_load_likeliest ? std::string(load_first)
+                      : !of.is_noise_likelier()        ? of.other_cause.advice()
+                                                       : each_axis(of)});
 }
 
 }  // namespace
@@ -113,13 +113,13 @@ void test_loads(CheckedResult& of) {
         {.kind = FindingKind::missing_load,
          .severity = Verdict::failed,
          .value = check.force,
-         .std = check.std,
+         .std_dev = check.std_dev,
          .remedy = Trust::Remedy{"uncertain", ""},
          .reason = fmt::format("The survey fits better with about {} {} at each free node, besides "
                                "the loads given. Chance allows +-{}.",
                                newton(check.force), check.force > 0.0 ? "downwards" : "upwards",
-                               newton(check.std)),
-         .next =
+                               newton(check.std_dev)),
+         .advice =
              of.other_cause.is_load_likeliest
                  ? "Check loads and weights of the net, of its cables, clamps and cladding, and "
                    "the heights of supports and targets. If loads are not known, state how "
@@ -133,12 +133,12 @@ void test_frame(CheckedResult& of) {
         of.add({.kind = FindingKind::survey_scale,
                 .severity = Verdict::failed,
                 .value = check.scale,
-                .std = check.scale_std,
+                .std_dev = check.scale_std,
                 .reason = fmt::format("The survey is {:.0f} +- {:.0f} ppm {} than the net.",
                                       1e6 * std::abs(check.scale), 1e6 * check.scale_std,
                                       check.scale > 0.0 ? "larger" : "smaller"),
-                .next = "Check the scale of the instrument (ppm, prism, unit). Cables that were "
-                        "measured by another tape or at another temperature look the same."});
+                .advice = "Check the scale of the instrument (ppm, prism, unit). Cables that were "
+                          "measured by another tape or at another temperature look the same."});
     }
     if (check.is_moved()) {
         of.add({.kind = FindingKind::survey_frame,
@@ -148,7 +148,7 @@ void test_frame(CheckedResult& of) {
                 .reason = fmt::format("The survey is shifted by {:.1f} mm and turned by {:.2f} "
                                       "mrad against the frame of the net.",
                                       1e3 * check.translation.norm(), 1e3 * check.rotation.norm()),
-                .next = "Check its control points, or let taut fit the frame."});
+                .advice = "Check its control points, or let taut fit the frame."});
     }
 }
 
@@ -174,22 +174,22 @@ void test_noise(CheckedResult& of) {
         .kind = FindingKind::survey_noise,
         .severity = noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
         .value = noise.ratio,
-        .std = noise.std,
+        .std_dev = noise.std_dev,
         .reason = fmt::format("The survey scatters by {}, {:.2f} times the standard deviation "
                               "given, {}. Chance allows 1 +- {:.2f}.",
-                              found, noise.ratio, rounded_length(given), noise.std),
-        .next = of.other_cause.advice()};
+                              found, noise.ratio, rounded_length(given), noise.std_dev),
+        .advice = of.other_cause.advice()};
     if (noise.ratio < as_computed) {
-        finding.next =
+        finding.advice =
             "It looks computed, not measured. If it was, give no noise: taut then takes it as "
             "exact.";
     } else if (of.other_cause.is_load_likeliest) {
-        finding.next = load_first;
+        finding.advice = load_first;
     } else if (of.is_noise_likelier() && noise.ratio < 1.0 && of.has_uneven_noise()) {
-        finding.next = each_axis(of);  // in common it would be too small along the others
+        finding.advice = each_axis(of);  // in common it would be too small along the others
     } else if (of.is_noise_likelier()) {
         finding.remedy = Trust::Remedy{"noise", of.survey.has_own_noise ? "estimate" : found};
-        finding.next = fmt::format(
+        finding.advice = fmt::format(
             "{}{}",
             noise.ratio > 1.0
                 ? "Check the frame, whether targets stand off the cables (offset), and whether "
@@ -197,7 +197,7 @@ void test_noise(CheckedResult& of) {
                 : "",
             of.survey.has_own_noise ? "let taut scale the standard deviations of the file."
                                     : "use this standard deviation.");
-        finding.next[0] = static_cast<char>(std::toupper(finding.next[0]));
+        finding.advice[0] = static_cast<char>(std::toupper(finding.advice[0]));
     }
     of.add(std::move(finding));
 }
@@ -226,15 +226,15 @@ void test_targets(CheckedResult& of) {
                 .reason = fmt::format("Target {} is {:.1f} mm from where all other measurements "
                                       "put it. taut left it out.",
                                       of.net.node_id(outlier.node), 1e3 * outlier.distance),
-                .next = !are_few ? "More than a tenth of the targets is left out: check frame, "
-                                   "supports and standard deviation."
-                        : is_at_support
-                            ? "It is at an elastic support. If that stands elsewhere without "
-                              "load, or its stiffness is not as given, it would look the same: "
-                              "check both."
-                        : is_far ? "A cable, turnbuckle, support or load at it that is not as "
-                                   "designed would look the same: check them."
-                                 : ""});
+                .advice = !are_few ? "More than a tenth of the targets is left out: check frame, "
+                                     "supports and standard deviation."
+                          : is_at_support
+                              ? "It is at an elastic support. If that stands elsewhere without "
+                                "load, or its stiffness is not as given, it would look the same: "
+                                "check both."
+                          : is_far ? "A cable, turnbuckle, support or load at it that is not as "
+                                     "designed would look the same: check them."
+                                   : ""});
     }
     constexpr size_t by_chance = 3;
     std::vector<std::string> adjacent = largest_cluster(of.net, outliers);
@@ -245,8 +245,8 @@ void test_targets(CheckedResult& of) {
                 .value = static_cast<double>(adjacent.size()),
                 .reason = fmt::format("{} of the targets left out are next to each other: {}.",
                                       adjacent.size(), and_more(adjacent)),
-                .next = "More likely than these targets, something near them is not as designed: "
-                        "check turnbuckles, supports, cables and loads there."});
+                .advice = "More likely than these targets, something near them is not as designed: "
+                          "check turnbuckles, supports, cables and loads there."});
     }
 }
 
@@ -257,7 +257,7 @@ void test_prediction(CheckedResult& of) {
         return;
     }
     int worst = -1;
-    double largest = beyond_prior * of.result.length_prior.std();
+    double largest = beyond_prior * of.result.length_prior.std_dev();
     for (size_t i = 0; i < of.survey.surveyed.size(); ++i) {
         const int node = of.survey.surveyed[i];
         const double residual = of.result.residuals(static_cast<Eigen::Index>(i));
@@ -277,7 +277,7 @@ void test_prediction(CheckedResult& of) {
                                       "{:.1f} mm, {:.0f} times its standard deviation.",
                                       of.net.node_id(worst), 1e3 * largest,
                                       largest / of.survey.noise_std.col(worst).maxCoeff()),
-                .next = "Check that target, and the cables, turnbuckles and supports near it."});
+                .advice = "Check that target, and the cables, turnbuckles and supports near it."});
     }
 }
 
@@ -303,8 +303,8 @@ void test_places(CheckedResult& of) {
             .reason = fmt::format("{} points lie on other nodes than their names say: {}. taut "
                                   "used the positions.",
                                   count, and_more(std::move(names))),
-            .next = "If the names are those of the net, check frame, axes and the order of the "
-                    "points. If they are the surveyor's own, match by place."});
+            .advice = "If the names are those of the net, check frame, axes and the order of the "
+                      "points. If they are the surveyor's own, match by place."});
 }
 
 void test_names(CheckedResult& of) {
@@ -317,7 +317,7 @@ void test_names(CheckedResult& of) {
                     .reason = fmt::format("Target {} is {:.3g} m from the node of its name. taut "
                                           "left it out.",
                                           of.net.node_id(point.nearest), point.distance),
-                    .next = "Check its name, and those of the others."});
+                    .advice = "Check its name, and those of the others."});
         }
     }
     const auto add_pair = [&](int node, int other) {
@@ -327,7 +327,7 @@ void test_names(CheckedResult& of) {
                     .reason = fmt::format("Targets {} and {} lie at each other's place. taut "
                                           "left out both.",
                                           of.net.node_id(node), of.net.node_id(other)),
-                    .next = "Swap their names in the survey."});
+                    .advice = "Swap their names in the survey."});
         }
     };
     for (const Outlier& outlier : of.result.outliers) {

@@ -33,7 +33,7 @@ void test_draws(CheckedResult& of) {
         of.add({.kind = FindingKind::tensions,
                 .severity = Verdict::doubtful,
                 .reason = fmt::format("Tensions are not reported: {}.", of.result.draws->reason),
-                .next = "Lengths may be used, tensions not."});
+                .advice = "Lengths may be used, tensions not."});
     }
 }
 
@@ -97,7 +97,7 @@ std::string_view to_string(Trust::Verdict verdict) {
 }
 
 std::string Trust::Finding::text() const {
-    return next.empty() ? reason : reason + " " + next;
+    return advice.empty() ? reason : reason + " " + advice;
 }
 
 std::string_view to_string(FindingKind kind) {

@@ -13,6 +13,7 @@
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/force_balance.hpp"
+#include "identification/identify_options.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/processes.hpp"
 #include "numerics/parallel.hpp"
@@ -28,12 +29,12 @@ LengthModel trained_model(const CableNet& net, const LengthPrior& prior,
                           const Progress& progress) {
     const Sampler sampler(net, prior, /*seed=*/1, uncertain);
     const DataSet data = draw_samples(sampler, samples, progress);
-    return train(net, data, data.converged_in(0, data.size()), {}, progress);
+    return train_model(net, data, data.converged_in(0, data.size()), {}, progress);
 }
 
 std::string how_text(const LengthModel& model, bool is_given, const Survey& survey) {
     std::string text = fmt::format("Gaussian processes trained on {} samples of {}{}",
-                                   model.training_count(), model.prior.to_string(),
+                                   model.training_count(), to_string(model.prior),
                                    is_given ? "" : " (no model was given, so they were drawn now)");
     if (!model.uncertain.empty()) {
         text += ", drawn with " + to_string(model.uncertain);
@@ -117,8 +118,8 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
     switch (method) {
         case IdentificationMethod::balance:
             result = identify_by_force_balance(net, survey, prior.prior);
-            result.how = fmt::format("force balance at the surveyed form, lengths {}",
-                                     prior.prior.to_string());
+            result.description = fmt::format("force balance at the surveyed form, lengths {}",
+                                             to_string(prior.prior));
             break;
         case IdentificationMethod::map: {
             Given given(prior.prior, options.uncertain, options.forces);
@@ -126,13 +127,13 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
             given.has_trend = prior.has_trend;
             result =
                 identify_by_maximum_a_posteriori(net, survey, given, {}, prior.wanted, progress);
-            result.how = fmt::format("maximum a posteriori under the statics, lengths {}",
-                                     prior.prior.to_string());
+            result.description = fmt::format("maximum a posteriori under the statics, lengths {}",
+                                             to_string(prior.prior));
             break;
         }
         case IdentificationMethod::gp:
             result = identify_by_model(net, survey, *model);
-            result.how = how_text(*model, options.model != nullptr, survey);
+            result.description = how_text(*model, options.model != nullptr, survey);
             break;
     }
     return result;
@@ -140,8 +141,10 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
 
 }  // namespace
 
-PosteriorSettings wanted_by(const IdentifyOptions& options) {
-    return {.count = options.draws, .seed = options.seed, .covariance_of = options.covariance_of};
+PosteriorSettings wanted_by(const CableNet& net, const IdentifyOptions& options) {
+    return {.count = draws_wanted(net, options),
+            .seed = options.seed,
+            .covariance_of = options.covariance_of};
 }
 
 Identification identify_under_prior(IdentificationMethod method, const CableNet& net,

@@ -19,7 +19,7 @@ struct AssumedPrior {
 };
 
 /// What the options want of the posterior.
-[[nodiscard]] PosteriorSettings wanted_by(const IdentifyOptions& options);
+[[nodiscard]] PosteriorSettings wanted_by(const CableNet& net, const IdentifyOptions& options);
 
 /// By a method under one prior. Where that is not map, a fit of its own shows noise, prior, length
 /// outliers and frame (in parallel, since few surveys turn out to be off their frame).

@@ -16,7 +16,7 @@ namespace taut {
 
 FormValues form_values(const CableNet& net, const Points& form) {
     FormValues values{.lengths = edge_lengths(net, form),
-                      .tensions = tensions(net, net.unstressed_lengths(), form),
+                      .tensions = tensions_of(net, net.unstressed_lengths(), form),
                       .force_densities = {},
                       .axial_stiffness = net.axial_stiffness()};
     for (int e = 0; e < net.edge_count(); ++e) {

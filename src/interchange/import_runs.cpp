@@ -104,7 +104,7 @@ std::map<std::string, std::vector<int>> groups_of(const CableNet& net, Slides by
 
 /// Largest ratio of tensions on both sides of a node where a run slides, in the given form.
 double largest_ratio(const CableNet& net) {
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), net.nodes());
     double largest = 1.0;
     for (const SlidingNode& at : net.sliding_nodes()) {
         const auto [less, more] = std::minmax(tension(at.before), tension(at.after));

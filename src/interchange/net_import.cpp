@@ -249,7 +249,7 @@ void describe(const CableNet& net, ImportReport& report) {
     const Points loads = net.loads()(Eigen::all, net.free_nodes());
     report.load_sum = loads.rowwise().sum();
     report.largest_horizontal_load = loads.topRows(2).colwise().norm().maxCoeff();
-    const Imbalance found = imbalance(net, net.unstressed_lengths(), net.nodes());
+    const Imbalance found = imbalance_of(net, net.unstressed_lengths(), net.nodes());
     report.largest_out_of_balance = found.largest;
     report.mean_tension = found.mean_tension;
     const Eigen::ArrayXd strains =

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/interchange/surface_mesh.hpp"
+#include "interchange/surface_mesh.hpp"
 
 #include <fmt/core.h>
 

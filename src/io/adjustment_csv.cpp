@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "interchange/surface_mesh.hpp"
 #include "io/name_column.hpp"
 #include "taut/adjustment/request_error.hpp"
 #include "taut/files/file.hpp"
-#include "taut/interchange/surface_mesh.hpp"
 #include "taut/io/read_survey.hpp"
 
 namespace taut {

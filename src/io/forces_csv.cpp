@@ -34,27 +34,27 @@ std::vector<ForceMeasurement> parse_force_measurements(const CableNet& net, std:
         ForceMeasurement measurement{.edge = edges.unique_index(row)};
         measurement.tension = format.unit * force_in(table, row, 1, net.is_strut(measurement.edge));
         const double tension = std::abs(measurement.tension);
-        const double std = has_std            ? format.unit * force_in(table, row, 2, false)
-                           : format.std > 0.0 ? format.std
-                                              : format.relative_std * tension;
+        const double std_dev = has_std                ? format.unit * force_in(table, row, 2, false)
+                               : format.std_dev > 0.0 ? format.std_dev
+                                                      : format.relative_std * tension;
         constexpr double largest = 1e12;  // no cable bears it, and its square is a number
-        if (tension > largest || std > largest) {
+        if (tension > largest || std_dev > largest) {
             table.fail(row, fmt::format("the tension is {:.3g} N, with a standard deviation of "
                                         "{:.3g} N, expected less than 1e12 N",
-                                        tension, std));
+                                        tension, std_dev));
         }
         constexpr double finest = 1e-6;  // no instrument is finer, and rounding errors are not far
-        if (std > 0.0 && std < finest * std::max(1.0, tension)) {
+        if (std_dev > 0.0 && std_dev < finest * std::max(1.0, tension)) {
             table.fail(row, fmt::format("the standard deviation is {:.3g} N, expected at least a "
                                         "millionth of the force",
-                                        std));
+                                        std_dev));
         }
-        if (!(std > 0.0)) {
+        if (!(std_dev > 0.0)) {
             table.fail(row, has_std ? "std is 0, expected a positive one"
                                     : "tension is 0, of which no part is a standard deviation: "
                                       "give std in the file, or one for all in newtons");
         }
-        measurement.std = std;
+        measurement.std_dev = std_dev;
         measurements.push_back(measurement);
     }
     return measurements;

@@ -32,8 +32,8 @@ std::vector<FrequencyMeasurement> parse_frequencies(const CableNet& net, std::st
             }
             one.mode = static_cast<int>(mode);
         }
-        one.std = table.has(3) ? table.number(row, 3) : relative_std * one.frequency;
-        if (!(one.std > 0.0)) {
+        one.std_dev = table.has(3) ? table.number(row, 3) : relative_std * one.frequency;
+        if (!(one.std_dev > 0.0)) {
             table.has(3) ? table.refuse(row, 3, "a positive one")
                          : table.fail(row, "the frequency has no positive standard deviation");
         }

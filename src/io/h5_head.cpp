@@ -43,7 +43,7 @@ LengthPrior read_prior(const hdf5::Reader& reader, const std::string& name) {
 std::string uncertain_text(const std::vector<UncertainParameter>& uncertain) {
     nlohmann::json list = nlohmann::json::array();
     for (const UncertainParameter& parameter : uncertain) {
-        list.push_back(parameter.to_string());
+        list.push_back(to_string(parameter));
     }
     return list.dump();
 }
@@ -101,7 +101,7 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
     require_matrix("nominal_form", head.nominal_form, 3 * net.free_node_count(), 1);
     writer.attribute("format", head.format);
     writer.attribute("version", head.version);
-    writer.attribute("prior", head.prior.to_string());
+    writer.attribute("prior", to_string(head.prior));
     writer.attribute("seed", head.seed);
     if (!head.uncertain.empty()) {
         writer.attribute("uncertain", uncertain_text(head.uncertain));

@@ -255,7 +255,7 @@ DistancePrecision parse_distance_precision(std::string_view text) {
             "of the distance, as 1mm+1.5ppm",
             text));
     };
-    DistancePrecision result{.std = 0.0, .part = 0.0};
+    DistancePrecision result{.std_dev = 0.0, .part = 0.0};
     const size_t plus = text.find('+');
     std::string_view ppm = plus == std::string_view::npos ? "0ppm" : text.substr(plus + 1);
     std::string_view length = text.substr(0, plus);
@@ -263,7 +263,7 @@ DistancePrecision parse_distance_precision(std::string_view text) {
         length.remove_suffix(1);
     }
     try {
-        result.std = parse_length(length);
+        result.std_dev = parse_length(length);
     } catch (const std::invalid_argument&) {
         fail();
     }
@@ -278,7 +278,7 @@ DistancePrecision parse_distance_precision(std::string_view text) {
         ppm.remove_suffix(1);
     }
     const auto parts = parse_number(ppm);
-    if (!parts || *parts < 0.0 || !(result.std > 0.0)) {
+    if (!parts || *parts < 0.0 || !(result.std_dev > 0.0)) {
         fail();
     }
     result.part = 1e-6 * *parts;

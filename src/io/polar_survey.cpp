@@ -48,7 +48,7 @@ PrecisionText complete_precision(PolarSurvey& survey, const ReadSurveyOptions& o
     }
     if (!is_distance_given) {
         text.distances =
-            fmt::format("{:.3g} mm + {:.3g} ppm", 1e3 * distance.std, 1e6 * distance.part);
+            fmt::format("{:.3g} mm + {:.3g} ppm", 1e3 * distance.std_dev, 1e6 * distance.part);
         text.is_assumed = text.is_assumed || !options.distance;
     }
     return text;

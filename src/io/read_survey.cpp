@@ -13,22 +13,22 @@
 #include <utility>
 
 #include "io/survey_file.hpp"
+#include "io/target_list.hpp"
 #include "net/rounded_length.hpp"
+#include "survey/control_check.hpp"
 #include "survey/mean_edge_length.hpp"
+#include "survey/measured_scale.hpp"
 #include "survey/misfit_hint.hpp"
 #include "survey/node_names.hpp"
+#include "survey/planned_survey.hpp"
 #include "survey/point_names.hpp"
 #include "survey/repeated_points.hpp"
 #include "survey/rounding.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/table_file.hpp"
 #include "taut/io/survey_csv.hpp"
-#include "taut/io/target_list.hpp"
 #include "taut/net/units.hpp"
-#include "taut/survey/control_check.hpp"
-#include "taut/survey/measured_scale.hpp"
 #include "taut/survey/noise_check.hpp"
-#include "taut/survey/planned_survey.hpp"
 #include "taut/survey/registration.hpp"
 
 namespace taut {
@@ -180,7 +180,7 @@ void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
     for (SurveyPoint* const point : without) {
         if (point->noise_std) {
             point->noise_std = point->noise_std->unaryExpr(
-                [&](double std) { return std == 0.0 ? noise_std : std; });
+                [&](double std_dev) { return std_dev == 0.0 ? noise_std : std_dev; });
         }
         if (!has_any) {
             point->noise_std.reset();
@@ -214,10 +214,10 @@ RoundedNoise with_rounding(const CableNet& net, const ReadSurveyOptions& options
     bool uses_default = false;
     double before = 0.0;
     double after = 0.0;
-    const auto widened = [&](double std) {
-        const double with = noise_with_rounding(std, rounding);
-        if (with > std && with > after) {
-            before = std;
+    const auto widened = [&](double std_dev) {
+        const double with = noise_with_rounding(std_dev, rounding);
+        if (with > std_dev && with > after) {
+            before = std_dev;
             after = with;
         }
         return with;

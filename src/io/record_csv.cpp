@@ -141,7 +141,7 @@ VibrationRecord parse_vibration_record(std::string_view text, const std::string&
 
 std::string frequency_to_csv(const std::string& edge, const Fundamental& fundamental) {
     return fmt::format("edge,frequency,mode,std\n{},{:.6g},1,{:.3g}\n", csv_field(edge),
-                       fundamental.frequency, fundamental.std);
+                       fundamental.frequency, fundamental.std_dev);
 }
 
 }  // namespace taut

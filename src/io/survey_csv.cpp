@@ -14,9 +14,10 @@
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
 #include "interchange/surveys/survey_reader.hpp"
+#include "sampling/uncertain_widths.hpp"
+#include "survey/covariance.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/table_file.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -197,8 +198,8 @@ std::string survey_to_csv(const std::vector<SurveyPoint>& points) {
         result += fmt::format("{},{},{},{}", point.id.empty() ? "" : csv_field(point.id), p.x(),
                               p.y(), p.z());
         if (point.noise_std || has_correlations) {
-            const Eigen::Vector3d std = point.noise_std.value_or(Eigen::Vector3d::Zero());
-            result += fmt::format(",{},{},{}", std.x(), std.y(), std.z());
+            const Eigen::Vector3d std_dev = point.noise_std.value_or(Eigen::Vector3d::Zero());
+            result += fmt::format(",{},{},{}", std_dev.x(), std_dev.y(), std_dev.z());
         }
         if (has_correlations) {
             const Eigen::Vector3d& r = point.noise_correlations;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/io/target_list.hpp"
+#include "io/target_list.hpp"
 
 #include <fmt/core.h>
 

@@ -25,7 +25,7 @@ std::map<std::string, TargetOffset> parse_target_offsets(std::string_view text,
                 table.refuse(row, column, "a length as 3mm");
             }
         };
-        const TargetOffset offset{.offset = length(1), .std = table.has(2) ? length(2) : 0.0};
+        const TargetOffset offset{.offset = length(1), .std_dev = table.has(2) ? length(2) : 0.0};
         try {
             check_target_offset(offset);
         } catch (const std::invalid_argument& error) {

@@ -38,17 +38,17 @@ std::vector<EdgeTurned> parse_turned(const CableNet& net, std::string_view text,
         EdgeTurned& turned = turned_of[edge];
         turned.edge = edge;
         turned.stroke += (is_plan ? 1e-3 : 1.0) * table.number(row, stroke_column);
-        turned.std = !is_plan && table.has(std_column) ? table.number(row, std_column) : 0.0;
+        turned.std_dev = !is_plan && table.has(std_column) ? table.number(row, std_column) : 0.0;
         const double most = most_turned_part * net.unstressed_lengths()(edge);
         if (!(std::abs(turned.stroke) <= most)) {
             table.fail(row, fmt::format("edge {} is turned by {:g} m, expected at most {:.3g} m, a "
                                         "quarter of its length: strokes are in metres",
                                         name, turned.stroke, most));
         }
-        if (!(turned.std >= 0.0 && turned.std <= most)) {
+        if (!(turned.std_dev >= 0.0 && turned.std_dev <= most)) {
             table.fail(row, fmt::format("std is {:g} m, expected 0 to {:.3g} m, a quarter of the "
                                         "edge's length",
-                                        turned.std, most));
+                                        turned.std_dev, most));
         }
     }
     std::vector<EdgeTurned> result;

@@ -128,8 +128,8 @@ TensionLaw::Tangent TensionLaw::at(double strain_there) const {
     return {.tension = tension(part) + slope * (strain_there - strain(part)), .slope = slope};
 }
 
-TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std) const {
-    if (!(std > 0.0) || sags()) {
+TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std_dev) const {
+    if (!(std_dev > 0.0) || sags()) {
         return at(strain_there);
     }
     // The law is its first line plus, from each corner on, the change of slope times (x - corner)+.
@@ -142,20 +142,20 @@ TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std) const {
     Tangent result{.tension = slope_of(0) * strain_there, .slope = slope_of(0)};
     for (Eigen::Index corner = 1; corner + 1 < strain.size(); ++corner) {
         const double bend = slope_of(corner) - slope_of(corner - 1);
-        const double z = (strain_there - strain(corner)) / std;
-        result.tension += bend * std * (density(z) + z * distribution(z));
+        const double z = (strain_there - strain(corner)) / std_dev;
+        result.tension += bend * std_dev * (density(z) + z * distribution(z));
         result.slope += bend * distribution(z);
     }
     return result;
 }
 
-double TensionLaw::missed_by_blurred(double strain_there, double std) const {
-    const Tangent blurred_there = blurred(strain_there, std);
+double TensionLaw::missed_by_blurred(double strain_there, double std_dev) const {
+    const Tangent blurred_there = blurred(strain_there, std_dev);
     constexpr int quantiles = 40;  // equally probable ones
     double variance = 0.0;
     for (int i = 0; i < quantiles; ++i) {
         const double p = (i + 0.5) / quantiles;
-        const double step = std::numbers::sqrt2 * boost::math::erf_inv(2.0 * p - 1.0) * std;
+        const double step = std::numbers::sqrt2 * boost::math::erf_inv(2.0 * p - 1.0) * std_dev;
         const double missed =
             at(strain_there + step).tension - blurred_there.tension - blurred_there.slope * step;
         variance += missed * missed / quantiles;

@@ -23,8 +23,9 @@ constexpr double widest_std = 1e4;
 constexpr double normal_reach = 40.0;
 
 double log_density(const TruncatedNormal& part, double x) {
-    const double z =
-        part.std < std::numeric_limits<double>::infinity() ? (x - part.mean) / part.std : 0.0;
+    const double z = part.std_dev < std::numeric_limits<double>::infinity()
+                         ? (x - part.mean) / part.std_dev
+                         : 0.0;
     return part.log_height - 0.5 * z * z;
 }
 
@@ -34,13 +35,13 @@ double nearest(const TruncatedNormal& part) {
 
 /// The same part, with parameters for which the formulas below are accurate.
 TruncatedNormal tame(TruncatedNormal part) {
-    if (part.std > widest_std * (part.upper - part.lower)) {
+    if (part.std_dev > widest_std * (part.upper - part.lower)) {
         part.log_height = log_density(part, nearest(part));
-        part.std = std::numeric_limits<double>::infinity();
+        part.std_dev = std::numeric_limits<double>::infinity();
         return part;
     }
     const double bound = nearest(part);
-    const double away = furthest_mean * part.std;
+    const double away = furthest_mean * part.std_dev;
     if (std::abs(part.mean - bound) > away) {
         part.log_height = log_density(part, bound) + 0.5 * furthest_mean * furthest_mean;
         part.mean = bound + std::copysign(away, part.mean - bound);
@@ -71,16 +72,17 @@ struct Moments {
 double mass_below(const TruncatedNormal& part, double x, double log_scale) {
     const double upper = std::clamp(x, part.lower, part.upper);
     const double height = std::exp(part.log_height - log_scale);
-    if (!std::isfinite(part.std)) {
+    if (!std::isfinite(part.std_dev)) {
         return height * (upper - part.lower);
     }
-    return height * part.std *
-           normal_integral((part.lower - part.mean) / part.std, (upper - part.mean) / part.std);
+    return height * part.std_dev *
+           normal_integral((part.lower - part.mean) / part.std_dev,
+                           (upper - part.mean) / part.std_dev);
 }
 
 Moments moments_of(const TruncatedNormal& part, double log_scale) {
     const double mass = mass_below(part, part.upper, log_scale);
-    if (!std::isfinite(part.std)) {
+    if (!std::isfinite(part.std_dev)) {
         const double width = part.upper - part.lower;
         return {.mass = mass,
                 .mean = 0.5 * (part.lower + part.upper),
@@ -88,8 +90,8 @@ Moments moments_of(const TruncatedNormal& part, double log_scale) {
     }
     // With the density f(z) = exp(-z^2/2) between a and b, of integral Z:
     //   mean (f(a) - f(b)) / Z,   variance 1 + (a f(a) - b f(b)) / Z - mean^2.
-    const double a = (part.lower - part.mean) / part.std;
-    const double b = (part.upper - part.mean) / part.std;
+    const double a = (part.lower - part.mean) / part.std_dev;
+    const double b = (part.upper - part.mean) / part.std_dev;
     const auto f = [](double z) { return std::exp(-0.5 * z * z); };
     const auto zf = [&](double z) { return std::isfinite(z) ? z * f(z) : 0.0; };
     const double Z = normal_integral(a, b);
@@ -99,8 +101,8 @@ Moments moments_of(const TruncatedNormal& part, double log_scale) {
     const double mean = (f(a) - f(b)) / Z;
     const double variance = std::max(0.0, 1.0 + (zf(a) - zf(b)) / Z - mean * mean);
     return {.mass = mass,
-            .mean = part.mean + part.std * mean,
-            .variance = part.std * part.std * variance};
+            .mean = part.mean + part.std_dev * mean,
+            .variance = part.std_dev * part.std_dev * variance};
 }
 
 }  // namespace
@@ -153,8 +155,8 @@ double TruncatedMixture::quantile(double p) const {
     double lower = std::numeric_limits<double>::infinity();
     double upper = -lower;
     for (const TruncatedNormal& part : m_parts) {
-        lower = std::min(lower, std::max(part.lower, nearest(part) - normal_reach * part.std));
-        upper = std::max(upper, std::min(part.upper, nearest(part) + normal_reach * part.std));
+        lower = std::min(lower, std::max(part.lower, nearest(part) - normal_reach * part.std_dev));
+        upper = std::max(upper, std::min(part.upper, nearest(part) + normal_reach * part.std_dev));
     }
     if (!(upper > lower)) {
         return lower;  // all of it is one number

@@ -12,7 +12,7 @@ namespace taut {
 struct TruncatedNormal {
     double log_height = 0.0;
     double mean = 0.0;
-    double std = 1.0;
+    double std_dev = 1.0;
     double lower = 0.0;
     double upper = 0.0;
     bool is_marked = false;

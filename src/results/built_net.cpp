@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "adjustment/built_net_parts.hpp"
 #include "files/message.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/results/draws_h5.hpp"

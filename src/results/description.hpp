@@ -155,7 +155,7 @@ ResultJson json_of(const V& value, const Context& context) {
     } else if constexpr (std::is_enum_v<V>) {
         return to_string(value);
     } else if constexpr (is_in_words<V>) {
-        return value.to_string();
+        return to_string(value);
     } else if constexpr (std::is_same_v<V, Eigen::Vector3d>) {
         return {value.x(), value.y(), value.z()};
     } else if constexpr (std::is_arithmetic_v<V> || is_text<V> || std::is_same_v<V, ResultJson> ||

@@ -53,9 +53,9 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.attribute("format", "taut-draws");
     writer.attribute("version", 2);
     writer.attribute("net_fingerprint", net.fingerprint());
-    writer.attribute("prior", identification.length_prior.to_string());
+    writer.attribute("prior", to_string(identification.length_prior));
     writer.attribute("seed", draws.seed);
-    writer.attribute("how", draws.how);
+    writer.attribute("how", draws.method);
     writer.attribute("reason", draws.reason);
     writer.integers("edge", net.interior_edges());
     writer.integers("node", net.free_nodes());
@@ -118,7 +118,7 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     draws.forms = reader.matrix("form", Eigen::Index{3} * net.free_node_count(), count);
     draws.tensions = reader.matrix("tension", net.edge_count(), count);
     draws.seed = reader.number_attribute("seed");
-    draws.how = reader.text_attribute("how");
+    draws.method = reader.text_attribute("how");
     draws.reason = reader.text_attribute(version == 1 ? "doubt" : "reason");
     return draws;
 }

@@ -43,12 +43,12 @@ Description<Trust::Finding> describe(const Trust::Finding* /*type*/) {
         .key("severity", &Finding::severity, "The verdict by this finding alone.")
         .key("ids", &Finding::ids, "Of its edges or nodes, or of the uncertain parameter.")
         .key("value", &Finding::value, "In SI units.")
-        .key("std", &Finding::std, size, "Standard deviation of the value.")
+        .key("std", &Finding::std_dev, size, "Standard deviation of the value.")
         .key("confounded_with", &Finding::confounded_with,
              "Edges and nodes that the data cannot distinguish from these.")
         .key("remedy", &Finding::remedy)
         .key("reason", &Finding::reason)
-        .key("next", &Finding::next, "What to do about it; may be empty.");
+        .key("next", &Finding::advice, "What to do about it; may be empty.");
 }
 
 Description<DetectableErrors> describe(const DetectableErrors* /*type*/) {
@@ -72,7 +72,7 @@ Description<DetectableErrors> describe(const DetectableErrors* /*type*/) {
 Description<FoundScale> describe(const FoundScale* /*type*/) {
     return Description<FoundScale>("found_scale")
         .key("ratio", &FoundScale::ratio, size, "Estimated over given; 0: not shown.")
-        .key("std", &FoundScale::std, size, "Of the ratio, if the given is true.");
+        .key("std", &FoundScale::std_dev, size, "Of the ratio, if the given is true.");
 }
 
 Description<FrameCheck> describe(const FrameCheck* /*type*/) {
@@ -93,7 +93,7 @@ Description<LoadCheck> describe(const LoadCheck* /*type*/) {
     return Description<LoadCheck>("load_check",
                                   "A vertical load at each free node that would fit better.")
         .key("force", &LoadCheck::force, "Downwards, besides the loads given [N].")
-        .key("std", &LoadCheck::std, size,
+        .key("std", &LoadCheck::std_dev, size,
              "Its standard deviation, if there is none; 0 where the survey does not show it [N].");
 }
 
@@ -122,7 +122,7 @@ Description<ForceOutlier> describe(const ForceOutlier* /*type*/) {
 Description<ForceBias> describe(const ForceBias* /*type*/) {
     return Description<ForceBias>("force_bias")
         .key("part", &ForceBias::part)
-        .key("std", &ForceBias::std);
+        .key("std", &ForceBias::std_dev);
 }
 
 Description<LengthOutlier> describe(const LengthOutlier* /*type*/) {
@@ -131,7 +131,7 @@ Description<LengthOutlier> describe(const LengthOutlier* /*type*/) {
         .key("edge", &Length::edge)
         .key("id", TAUT_VALUE(c.net->edge_id(it.edge)))
         .key("deviation", &Length::deviation, "Estimate by the survey alone [m].")
-        .key("std", &Length::std, size)
+        .key("std", &Length::std_dev, size)
         .key("statistic", &Length::statistic, size)
         .optional("other", edge_id_if_any(&Length::other),
                   "Edge that is as much shorter as this one is longer, or the reverse: a clamp "
@@ -158,7 +158,7 @@ Description<BoundaryOutlier> describe(const BoundaryOutlier* /*type*/) {
         .key("id", TAUT_VALUE(boundary_id(*c.net, is_support(it), it.index)))
         .key("deviation", numbers(&Outlier::deviation), Rule::any_of(Rule::number(), Rule::point()),
              "Of an edge's length, or of a support's place [m].")
-        .key("std", numbers(&Outlier::std), Rule::any_of(size, point_of_sizes()))
+        .key("std", numbers(&Outlier::std_dev), Rule::any_of(size, point_of_sizes()))
         .key("statistic", &Outlier::statistic, size)
         .key(
             "confounded_with",

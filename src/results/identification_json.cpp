@@ -56,7 +56,7 @@ Description<Identification> prior_check_object() {
             "likeliest",
             [](const Identification& found) {
                 const PriorCheck& check = found.prior_check;
-                return check.lengths > 0 ? check.likeliest.to_string() : "";
+                return check.lengths > 0 ? to_string(check.likeliest) : "";
             },
             "Among uniform, normal and bimodal ones; empty with too few lengths.")
         .key("gain", TAUT_VALUE(it.prior_check.gain), "In log likelihood over the prior used.")

@@ -29,11 +29,12 @@ void add_tension(Description<T>& of_edge, bool is_required, const Drawn& drawn) 
     };
     add("tension", &DrawnEstimate::mean,
         "Mean over the samples, of a compressed strut negative; null without, as all below [N].");
-    const auto std = [drawn](const T& value, const Context& c) {
+    const auto std_dev = [drawn](const T& value, const Context& c) {
         const DrawnTension* tension = drawn(value, c);
-        return tension == nullptr ? std::nullopt : std::optional(tension->tension.std);
+        return tension == nullptr ? std::nullopt : std::optional(tension->tension.std_dev);
     };
-    is_required ? of_edge.key("tension_std", std, size) : of_edge.newer("tension_std", std, size);
+    is_required ? of_edge.key("tension_std", std_dev, size)
+                : of_edge.newer("tension_std", std_dev, size);
     add("tension_lower", &DrawnEstimate::lower, "95 % interval [N].");
     add("tension_upper", &DrawnEstimate::upper, "");
     const auto slack = [drawn](const T& value, const Context& c) {
@@ -80,7 +81,7 @@ Description<PriorEstimate> describe(const PriorEstimate* /*type*/) {
         .key("given", TAUT_VALUE(when(c.found->prior_was_given, it.given)),
              R"("uniform:5mm"; null: none was given, and a broad prior was assumed.)")
         .key("exact", &Prior::exact, "Whether it is exact, not estimated.")
-        .key("std", &Prior::std, size,
+        .key("std", &Prior::std_dev, size,
              "Posterior mean of the standard deviation of a length deviation [m].")
         .key("std_std", &Prior::std_std, size, "Posterior standard deviation of that [m].")
         .key("uniform_probability", &Prior::uniform_probability, part, "Of the uniform shape.")
@@ -91,13 +92,13 @@ Description<PriorEstimate> describe(const PriorEstimate* /*type*/) {
 Description<ParameterEstimate> describe(const ParameterEstimate* /*type*/) {
     using Estimate = ParameterEstimate;
     return Description<Estimate>("uncertain_parameter")
-        .key("name", TAUT_VALUE(it.parameter.name()))
+        .key("name", TAUT_VALUE(to_string(it.parameter.kind)))
         .key("group", TAUT_VALUE(unless_empty(it.parameter.group)), "Of edges; null: all.")
         .key("given", &Estimate::parameter,
              R"("stiffness:5%", its standard deviation before the survey.)")
         .key("mean", &Estimate::mean,
              "Deviation from the design; of a stiffness the logarithm of its factor.")
-        .key("std", &Estimate::std, size)
+        .key("std", &Estimate::std_dev, size)
         .newer("prior_std", &Estimate::prior_std, size,
                "Before the survey, in that unit; 1.2 times an assumed width.")
         .key("unit", TAUT_VALUE(it.parameter.unit()))
@@ -118,10 +119,10 @@ Description<ParameterEstimate> describe(const ParameterEstimate* /*type*/) {
 
 Description<Assumption> describe(const Assumption* /*type*/) {
     return Description<Assumption>("assumption")
-        .key("name", TAUT_VALUE(it.parameter.name()))
+        .key("name", TAUT_VALUE(to_string(it.parameter.kind)))
         .key("value", &Assumption::parameter, R"(As on the command line: "stiffness:5%".)")
         .key("group", TAUT_VALUE(unless_empty(it.parameter.group)), "Of edges; null: all.")
-        .key("std", TAUT_VALUE(it.parameter.std), size, "Before the survey.")
+        .key("std", TAUT_VALUE(it.parameter.std_dev), size, "Before the survey.")
         .key("unit", TAUT_VALUE(it.parameter.unit()))
         .key("source", TAUT_VALUE(it.is_default ? "default" : "given"),
              Rule::one_of({"given", "default"}), "Whether it was given, or assumed by taut.")
@@ -142,7 +143,7 @@ Description<IdentifiedEdge> describe(const IdentifiedEdge* /*type*/) {
                    [](const Edge& edge, const Context& c) { return ends_of(*c.net, edge.edge); })
             .key("nominal", &Edge::nominal, "Unstressed length as designed [m].")
             .key("length_deviation", &Edge::length_deviation, "Estimate of true less nominal [m].")
-            .key("std", &Edge::std, size, "Standard deviation of the estimate [m].")
+            .key("std", &Edge::std_dev, size, "Standard deviation of the estimate [m].")
             .key("lower", &Edge::lower,
                  "95 % interval of the deviation; a slack edge has a lower bound only [m].")
             .key("upper", &Edge::upper)
@@ -170,7 +171,7 @@ Description<StretchLength> describe(const StretchLength* /*type*/) {
         .key("nominal", &Stretch::nominal, size, "Unstressed length as designed [m].")
         .key("friction", &Stretch::friction, size, "Largest coefficient that the fit allowed for.")
         .key("length_deviation", &Stretch::length_deviation, "True minus nominal [m].")
-        .key("std", &Stretch::std, size, "Standard deviation of that [m].")
+        .key("std", &Stretch::std_dev, size, "Standard deviation of that [m].")
         .key("tension", &Stretch::tension, "Mean of its edges [N].")
         .key("tension_std", &Stretch::tension_std, size, "Standard deviation of that [N].");
 }
@@ -204,7 +205,7 @@ Description<DrawnEstimate> describe(const DrawnEstimate* /*type*/) {
     return Description<DrawnEstimate>(
                "drawn_estimate", "Mean, standard deviation and 95 % interval of a tension [N].")
         .key("mean", &DrawnEstimate::mean)
-        .key("std", &DrawnEstimate::std, size)
+        .key("std", &DrawnEstimate::std_dev, size)
         .key("lower", &DrawnEstimate::lower)
         .key("upper", &DrawnEstimate::upper);
 }
@@ -223,7 +224,7 @@ Description<DrawnPlace> describe(const DrawnPlace* /*type*/) {
                "drawn_place", "Mean, standard deviation and 95 % interval of each coordinate [m].")
         .key("node", &DrawnPlace::node)
         .key("mean", &DrawnPlace::mean)
-        .key("std", &DrawnPlace::std, point_of_sizes())
+        .key("std", &DrawnPlace::std_dev, point_of_sizes())
         .key("lower", &DrawnPlace::lower)
         .key("upper", &DrawnPlace::upper);
 }
@@ -234,7 +235,7 @@ Description<PosteriorDraws> describe(const PosteriorDraws* /*type*/) {
         .newer("fingerprint", fingerprint_of,
                "Hash of the samples, to check that the file belongs to the result.")
         .key("seed", &PosteriorDraws::seed)
-        .key("how", &PosteriorDraws::how)
+        .key("how", &PosteriorDraws::method)
         .key("reason", TAUT_VALUE(unless_empty(it.reason)), "Why they are not reliable.");
 }
 

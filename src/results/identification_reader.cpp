@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "files/message.hpp"
+#include "identification/parameter_spread.hpp"
 #include "results/identification_parts.hpp"
 #include "results/result_checks.hpp"
 #include "results/result_readers.hpp"
@@ -147,7 +148,7 @@ ParameterEstimate read_uncertain_parameter(const JsonValue& value, const CableNe
         member(value, "given").fail(error.what());
     }
     if (!value.find("prior_std")) {
-        estimate.prior_std = estimate.parameter.std;
+        estimate.prior_std = estimate.parameter.std_dev;
     }
     const UncertainParameter::Kind kind = estimate.parameter.kind;
     if (kind == UncertainParameter::Kind::stiffness_each ||
@@ -190,13 +191,13 @@ std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableN
         if (edge) {
             outlier.index = edge->integer();
             outlier.deviation.x() = member(entry, "deviation").number();
-            outlier.std.x() = member(entry, "std").number();
+            outlier.std_dev.x() = member(entry, "std").number();
         } else {
             const JsonValue node = entry.require("node", "it, or \"edge\"");
             outlier.kind = BoundaryOutlier::Kind::support;
             outlier.index = node.integer();
             outlier.deviation = require_list(entry, "deviation", 3, "a number for each axis");
-            outlier.std = require_list(entry, "std", 3, "a number for each axis");
+            outlier.std_dev = require_list(entry, "std", 3, "a number for each axis");
         }
         if (edge ? !std::ranges::binary_search(net.adjustable_edges(), outlier.index)
                  : net.free_index(outlier.index) >= 0) {
@@ -221,7 +222,7 @@ Trust read_trust(const JsonValue& root) {
             trust.findings.push_back({.kind = Trust::Finding::Kind::other,
                                       .severity = Trust::Verdict::doubtful,
                                       .reason = "This result does not say what its checks found.",
-                                      .next = "Identify again."});
+                                      .advice = "Identify again."});
         }
         return trust;
     }
@@ -230,7 +231,7 @@ Trust read_trust(const JsonValue& root) {
             trust.findings.push_back({.kind = Trust::Finding::Kind::other,
                                       .severity = read<Trust::Verdict>(member(*given, "verdict")),
                                       .reason = reason.ends_with('.') ? reason : reason + ".",
-                                      .next = {}});
+                                      .advice = {}});
         }
     }
     const JsonValue verdict = member(*given, "verdict");

@@ -82,7 +82,7 @@ Description<EdgeTurned> describe(const EdgeTurned* /*type*/) {
         .key("edge", &EdgeTurned::edge)
         .key("id", TAUT_VALUE(c.net->edge_id(it.edge)))
         .key("stroke", &EdgeTurned::stroke, "Change of the unstressed length [m].")
-        .key("std", &EdgeTurned::std, size, "Standard deviation of the stroke [m].");
+        .key("std", &EdgeTurned::std_dev, size, "Standard deviation of the stroke [m].");
 }
 
 Description<LengthChange> describe(const LengthChange* /*type*/) {
@@ -90,7 +90,7 @@ Description<LengthChange> describe(const LengthChange* /*type*/) {
         .key("edge", &LengthChange::edge)
         .key("id", TAUT_VALUE(c.net->edge_id(it.edge)))
         .key("change", &LengthChange::change)
-        .key("std", &LengthChange::std, size)
+        .key("std", &LengthChange::std_dev, size)
         .key("statistic", &LengthChange::statistic);
 }
 

@@ -7,6 +7,7 @@
 #include "files/json_parse.hpp"
 #include "files/json_value.hpp"
 #include "files/message.hpp"
+#include "identification/parameter_spread.hpp"
 #include "statics/sliding.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
@@ -54,7 +55,7 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
         CableNet net(data);
         if (!net.sliding_nodes().empty()) {
             data.runs = runs_from_here(net, net.nodes(),
-                                       tensions(net, net.unstressed_lengths(), net.nodes()));
+                                       tensions_of(net, net.unstressed_lengths(), net.nodes()));
             net = CableNet(data);
         }
         return {.file = {.net = net, .unknown_keys = designed.unknown_keys},

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "adjustment/built_net_parts.hpp"
 #include "files/csv_field.hpp"
 #include "results/document_parts.hpp"
 #include "taut/files/printable.hpp"
@@ -38,7 +39,7 @@ bool keeps_limits(const PlanRecord& record) {
     if (!limits.reactions.empty() || !limits.load_cases.empty()) {
         return false;
     }
-    const Eigen::VectorXd pull = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd pull = tensions_of(net, net.unstressed_lengths(), net.nodes());
     const auto& [lower, upper] = limits.tension;
     return (lower.size() == 0 || (pull - lower).minCoeff() >= 0.0) &&
            (upper.size() == 0 || (upper - pull).minCoeff() >= 0.0);

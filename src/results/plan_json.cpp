@@ -108,7 +108,7 @@ Description<ReachedTension> describe(const ReachedTension* /*type*/) {
         .key("of_any_form", &Reached::of_any_form, size,
              "With unlimited strokes and without regard to the form.")
         .key("mean", &Reached::mean, size)
-        .key("std", &Reached::std, size)
+        .key("std", &Reached::std_dev, size)
         .key("probability", &Reached::probability, part, "That it is within the tolerance.")
         .key("obstacle", &Reached::obstacle, "What keeps it out of the tolerance.");
 }
@@ -142,7 +142,7 @@ namespace {
 
 Eigen::VectorXd built_tensions(const PlanRecord& record) {
     const CableNet& built = record.built->net;
-    return tensions(built, built.unstressed_lengths(), built.nodes());
+    return tensions_of(built, built.unstressed_lengths(), built.nodes());
 }
 
 std::vector<PlanResult::Tension> tensions_of_edges(const PlanRecord& record) {

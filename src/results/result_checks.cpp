@@ -100,10 +100,10 @@ void check_std(const JsonValue& value, const IdentifiedEdge& edge, double farthe
     // the prior allows.
     const double width = edge.upper - edge.lower;
     const double largest = std::sqrt(width * width + 0.05 * farthest * farthest);
-    if (edge.std > largest) {
+    if (edge.std_dev > largest) {
         member(value, "std")
-            .fail(fmt::format("is {}, expected at most {:.4g}: its interval is {} to {}", edge.std,
-                              largest, edge.lower, edge.upper));
+            .fail(fmt::format("is {}, expected at most {:.4g}: its interval is {} to {}",
+                              edge.std_dev, largest, edge.lower, edge.upper));
     }
 }
 

@@ -23,9 +23,9 @@ std::string edges_csv(const Study& study, const Eigen::MatrixXd& truth) {
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{}\n",
                        csv_field(net.edge_id(edge)), csv_field(net.node_id(s)),
                        csv_field(net.node_id(t)), net.unstressed_lengths()(edge), truth(i, 0),
-                       study.estimates.mean(i, 0), study.estimates.std(i, 0),
+                       study.estimates.mean(i, 0), study.estimates.std_dev(i, 0),
                        truth(i, 0) - study.estimates.mean(i, 0), study.as_in_paper().errors.mean(i),
-                       study.as_in_paper().errors.std(i));
+                       study.as_in_paper().errors.std_dev(i));
     }
     return csv;
 }

@@ -39,7 +39,7 @@ Points true_form(const Study& study) {
 
 Eigen::VectorXd tensions_of(const Study& study, const Eigen::VectorXd& deviation,
                             const Points& form) {
-    return tensions(study.net, with_length_deviations(study.net, deviation), form);
+    return tensions_of(study.net, with_length_deviations(study.net, deviation), form);
 }
 
 /// All errors of each interior edge, where they are few enough.
@@ -64,7 +64,7 @@ Description<Study> sample_of_study() {
         .newer("index", TAUT_VALUE(it.validation.front()))
         .key("true", TAUT_VALUE(numbers_json(true_deviation(it), 9)), numbers)
         .key("identified", TAUT_VALUE(numbers_json(it.estimates.mean.col(0), 9)), numbers)
-        .key("std", TAUT_VALUE(numbers_json(it.estimates.std.col(0), 6)), numbers)
+        .key("std", TAUT_VALUE(numbers_json(it.estimates.std_dev.col(0), 6)), numbers)
         .key("true_form", TAUT_VALUE(points_json(true_form(it))), points)
         .key("identified_form", TAUT_VALUE(points_json(it.identified_form)), points)
         .key("true_tension",
@@ -85,7 +85,7 @@ Description<Study> errors_of_study() {
     const Rule numbers = Rule::list_of(Rule::number());
     return Description<Study>("", "True less identified lengths over the validation samples.")
         .key("mean", TAUT_VALUE(numbers_json(it.as_in_paper().errors.mean, 6)), numbers)
-        .key("std", TAUT_VALUE(numbers_json(it.as_in_paper().errors.std, 6)), numbers)
+        .key("std", TAUT_VALUE(numbers_json(it.as_in_paper().errors.std_dev, 6)), numbers)
         .optional("all", all_errors, Rule::list_of(numbers));
 }
 

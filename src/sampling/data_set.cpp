@@ -44,13 +44,13 @@ void check_prior(const CableNet& net, const LengthPrior& prior) {
         throw std::invalid_argument(
             fmt::format("the prior {} reaches deviations of {:.4g} mm, expected less than the "
                         "shortest interior unstressed length, {:.4g} mm",
-                        prior.to_string(), 1e3 * prior.reach(), 1e3 * shortest));
+                        to_string(prior), 1e3 * prior.reach(), 1e3 * shortest));
     }
     constexpr double rounding_error = 1e-9;
-    if (prior.std() < rounding_error * shortest) {
+    if (prior.std_dev() < rounding_error * shortest) {
         throw std::invalid_argument(fmt::format(
             "the prior {} is lost in rounding errors, expected deviations of at least {:.1g} mm",
-            prior.to_string(), 1e3 * rounding_error * shortest));
+            to_string(prior), 1e3 * rounding_error * shortest));
     }
 }
 

@@ -51,7 +51,7 @@ void LengthPrior::check() const {
     }
 }
 
-double LengthPrior::std() const {
+double LengthPrior::std_dev() const {
     switch (kind) {
         case Kind::uniform:
             return scale / std::numbers::sqrt3;
@@ -89,10 +89,10 @@ double LengthPrior::draw(double u) const {
     return 0.0;
 }
 
-std::string LengthPrior::to_string() const {
+std::string to_string(const LengthPrior& prior) {
     for (const auto& [name, named_kind] : names) {
-        if (named_kind == kind) {
-            return fmt::format("{}:{}", name, format_length_exactly(scale));
+        if (named_kind == prior.kind) {
+            return fmt::format("{}:{}", name, format_length_exactly(prior.scale));
         }
     }
     return {};

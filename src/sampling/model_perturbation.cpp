@@ -10,6 +10,7 @@
 
 #include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
+#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 namespace {
@@ -52,39 +53,40 @@ ModelPerturbation draw_perturbation(const CableNet& net,
         switch (parameter.kind) {
             case UncertainParameter::Kind::stiffness:
                 result.stiffness(edges_of(net, parameter)).array() +=
-                    parameter.std * random.normal();
+                    parameter.std_dev * random.normal();
                 break;
             case UncertainParameter::Kind::stiffness_each:
                 for (const int edge : edges_of(net, parameter)) {
-                    result.stiffness(edge) += parameter.std * random.normal();
+                    result.stiffness(edge) += parameter.std_dev * random.normal();
                 }
                 break;
             case UncertainParameter::Kind::temperature: {
                 const std::vector<int> edges = edges_of(net, parameter);
                 result.thermal(edges) +=
-                    parameter.std * random.normal() * net.data().expansion(edges);
+                    parameter.std_dev * random.normal() * net.data().expansion(edges);
                 break;
             }
             case UncertainParameter::Kind::creep:
-                result.thermal(edges_of(net, parameter)).array() += parameter.std * random.normal();
+                result.thermal(edges_of(net, parameter)).array() +=
+                    parameter.std_dev * random.normal();
                 break;
             case UncertainParameter::Kind::supports:
                 for (const int node : net.all_supports()) {
                     for (double& coordinate : result.supports.col(node)) {
-                        coordinate = parameter.std * random.normal();
+                        coordinate = parameter.std_dev * random.normal();
                     }
                 }
                 break;
             case UncertainParameter::Kind::support_stiffness:
-                result.support_stiffness = parameter.std * random.normal();
+                result.support_stiffness = parameter.std_dev * random.normal();
                 break;
             case UncertainParameter::Kind::adjustable:
                 for (const int edge : net.adjustable_edges()) {
-                    result.adjustable(edge) = parameter.std * random.normal();
+                    result.adjustable(edge) = parameter.std_dev * random.normal();
                 }
                 break;
             case UncertainParameter::Kind::loads:
-                result.loads = parameter.std * random.normal();
+                result.loads = parameter.std_dev * random.normal();
                 if (std_of(uncertain, UncertainParameter::Kind::mass) > 0.0) {
                     result.own_loads -= result.loads * self_weight(net);  // has that of the mass
                 }
@@ -92,12 +94,12 @@ ModelPerturbation draw_perturbation(const CableNet& net,
             case UncertainParameter::Kind::loads_each:
                 for (const int node : net.free_nodes()) {
                     for (double& load : result.own_loads.col(node)) {
-                        load += parameter.std * random.normal();
+                        load += parameter.std_dev * random.normal();
                     }
                 }
                 break;
             case UncertainParameter::Kind::mass:
-                result.sag = parameter.std * random.normal();
+                result.sag = parameter.std_dev * random.normal();
                 result.own_loads += result.sag * self_weight(net);
                 break;
             case UncertainParameter::Kind::slip:  // follows from the balance of the net

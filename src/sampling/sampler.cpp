@@ -12,6 +12,7 @@
 #include <string>
 
 #include "numerics/parallel.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "shared_work.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/sampling/model_perturbation.hpp"
@@ -97,9 +98,9 @@ struct Sampler::State {
 
     /// Of all that determines a sample except its index.
     [[nodiscard]] std::string fingerprint() const {
-        std::string text = fmt::format("{} {} {}", net.fingerprint(), prior.to_string(), seed);
+        std::string text = fmt::format("{} {} {}", net.fingerprint(), to_string(prior), seed);
         for (const UncertainParameter& parameter : uncertain) {
-            text += ' ' + parameter.to_string();
+            text += ' ' + to_string(parameter);
         }
         return text;
     }
@@ -147,7 +148,7 @@ const Equilibrium& Sampler::nominal() const {
     return m_state->nominal;
 }
 
-DataSet Sampler::empty() const {
+DataSet Sampler::no_samples() const {
     const State& s = *m_state;
     return {.net_fingerprint = s.net.fingerprint(),
             .prior = s.prior,
@@ -192,8 +193,8 @@ void Sampler::draw_block_together(DataSet& data, int first, int count,
     }
 }
 
-void Sampler::extend(DataSet& data, int count, const Progress& progress,
-                     const std::function<void()>& after_block) const {
+void Sampler::extend_to(DataSet& data, int count, const Progress& progress,
+                        const std::function<void()>& after_block) const {
     using Clock = std::chrono::steady_clock;
     require_same("net, prior, seed or uncertain", m_state->fingerprint());
     int done = broadcast(data.size());
@@ -226,7 +227,7 @@ SamplePart Sampler::part(int first, int count, const Progress& progress) const {
                         "2^31",
                         count, first));
     }
-    SamplePart part{.first = first, .samples = empty()};
+    SamplePart part{.first = first, .samples = no_samples()};
     progress("sampling", 0, count);
     draw_block(part.samples, first, count, progress);
     progress("sampling", count, count);
@@ -235,7 +236,7 @@ SamplePart Sampler::part(int first, int count, const Progress& progress) const {
 
 DataSet Sampler::joined(std::vector<SamplePart> parts) const {
     std::ranges::stable_sort(parts, {}, &SamplePart::first);
-    DataSet data = empty();
+    DataSet data = no_samples();
     for (const auto& [first, samples] : parts) {
         if (samples.net_fingerprint != data.net_fingerprint || samples.prior != data.prior ||
             samples.seed != data.seed || samples.uncertain != data.uncertain ||
@@ -258,8 +259,8 @@ DataSet Sampler::joined(std::vector<SamplePart> parts) const {
 }
 
 DataSet draw_samples(const Sampler& sampler, int count, const Progress& progress) {
-    DataSet data = sampler.empty();
-    sampler.extend(data, count, progress);
+    DataSet data = sampler.no_samples();
+    sampler.extend_to(data, count, progress);
     if (process_group().size() > 1) {
         unpack_samples(process_group().gather(packed_samples(data), Receivers::all).front(), data);
     }

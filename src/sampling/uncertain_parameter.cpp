@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "sampling/uncertain_widths.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut {
@@ -61,9 +62,9 @@ double parse_width(Kind kind, std::string_view text) {
 
 std::string width_text(const UncertainParameter& parameter) {
     const std::string_view unit = parameter.unit();
-    return unit == "m"   ? format_length(parameter.std)
-           : unit == "1" ? fmt::format("{:.12g}%", 1e2 * parameter.std)
-                         : fmt::format("{:.12g}{}", parameter.std, unit);
+    return unit == "m"   ? format_length(parameter.std_dev)
+           : unit == "1" ? fmt::format("{:.12g}%", 1e2 * parameter.std_dev)
+                         : fmt::format("{:.12g}{}", parameter.std_dev, unit);
 }
 
 /// @param text for the message
@@ -71,12 +72,12 @@ std::string width_text(const UncertainParameter& parameter) {
 void check_width(const UncertainParameter& parameter, std::string_view text) {
     // Of a frame hardly more may be known than the order of magnitude.
     const double widest_part = parameter.kind == Kind::support_stiffness ? 0.7 : 0.3;
-    if (!(parameter.std > 0.0) || !std::isfinite(parameter.std)) {
+    if (!(parameter.std_dev > 0.0) || !std::isfinite(parameter.std_dev)) {
         throw std::invalid_argument(
             fmt::format("the uncertain parameter '{}' has no positive width, expected {}", text,
                         parameter_examples));
     }
-    if (parameter.unit() == "1" && parameter.std >= widest_part) {
+    if (parameter.unit() == "1" && parameter.std_dev >= widest_part) {
         throw std::invalid_argument(
             fmt::format("the uncertain parameter '{}' has a width of {:g} % or more, expected less",
                         text, 1e2 * widest_part));
@@ -85,7 +86,7 @@ void check_width(const UncertainParameter& parameter, std::string_view text) {
 
 [[noreturn]] void refuse(const UncertainParameter& parameter, std::string_view problem) {
     throw std::invalid_argument(
-        fmt::format("the uncertain parameter '{}' {}", parameter.to_string(), problem));
+        fmt::format("the uncertain parameter '{}' {}", to_string(parameter), problem));
 }
 
 /// Unstressed length of the shortest edge at a sliding node [m].
@@ -101,7 +102,7 @@ double shortest_sliding(const CableNet& net) {
 void check_one(const CableNet& net, const UncertainParameter& parameter) {
     constexpr double widest_part = 1.0 / 3.0;
     constexpr double most_strain = 0.01;
-    check_width(parameter, parameter.to_string());
+    check_width(parameter, to_string(parameter));
     if (!parameter.group.empty() && !named(parameter.kind).has_groups) {
         refuse(parameter, fmt::format("takes no group: only {} do", with_groups));
     }
@@ -125,7 +126,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
                 refuse(parameter,
                        "needs edges with a thermal expansion, but the net has no expansion [1/K]");
             }
-            if (expansion(edges).cwiseAbs().maxCoeff() * parameter.std > most_strain) {
+            if (expansion(edges).cwiseAbs().maxCoeff() * parameter.std_dev > most_strain) {
                 refuse(parameter, "strains edges by more than 1 %, expected less");
             }
             break;
@@ -134,12 +135,12 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
             if (net.adjustable_edges().empty()) {
                 refuse(parameter, "needs adjustable edges, but the net has none");
             }
-            if (parameter.std > widest_part * lengths(net.adjustable_edges()).minCoeff()) {
+            if (parameter.std_dev > widest_part * lengths(net.adjustable_edges()).minCoeff()) {
                 refuse(parameter, "is wider than a third of the shortest adjustable edge");
             }
             break;
         case Kind::supports:
-            if (parameter.std > widest_part * lengths.minCoeff()) {
+            if (parameter.std_dev > widest_part * lengths.minCoeff()) {
                 refuse(parameter, "is wider than a third of the shortest edge");
             }
             break;
@@ -152,7 +153,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
         case Kind::loads_each: {
             // No net bears loads that large.
             const double strongest = net.axial_stiffness().maxCoeff();
-            if (parameter.std > widest_part * strongest) {
+            if (parameter.std_dev > widest_part * strongest) {
                 refuse(parameter, "is wider than a third of the largest axial stiffness");
             }
             break;
@@ -163,7 +164,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
             }
             break;
         case Kind::creep:
-            if (parameter.std > most_creep) {
+            if (parameter.std_dev > most_creep) {
                 refuse(parameter, "strains edges by more than 1 %, expected less");
             }
             break;
@@ -176,7 +177,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
             if (net.sliding_nodes().empty()) {
                 refuse(parameter, "needs a run that slides, but the net has none");
             }
-            if (parameter.std > widest_part * shortest_sliding(net)) {
+            if (parameter.std_dev > widest_part * shortest_sliding(net)) {
                 refuse(parameter, "is wider than a third of the shortest edge that slides");
             }
             break;
@@ -190,7 +191,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
 
 }  // namespace
 
-std::string_view UncertainParameter::name() const {
+std::string_view to_string(UncertainParameter::Kind kind) {
     return named(kind).name;
 }
 
@@ -198,14 +199,15 @@ std::string_view UncertainParameter::unit() const {
     return named(kind).unit;
 }
 
-std::string UncertainParameter::to_string() const {
-    return fmt::format("{}:{}{}{}", name(), width_text(*this), group.empty() ? "" : "@", group);
+std::string to_string(const UncertainParameter& parameter) {
+    return fmt::format("{}:{}{}{}", to_string(parameter.kind), width_text(parameter),
+                       parameter.group.empty() ? "" : "@", parameter.group);
 }
 
 std::string to_string(const std::vector<UncertainParameter>& uncertain) {
     std::string text;
     for (const UncertainParameter& parameter : uncertain) {
-        text += (text.empty() ? "" : ", ") + parameter.to_string();
+        text += (text.empty() ? "" : ", ") + to_string(parameter);
     }
     return text.empty() ? "none" : text;
 }
@@ -231,7 +233,7 @@ UncertainParameter parse_uncertain_parameter(std::string_view text) {
         parameter.kind = Kind::loads_each;
     }
     try {
-        parameter.std = parse_width(parameter.kind, width);
+        parameter.std_dev = parse_width(parameter.kind, width);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(
             fmt::format("the uncertain parameter '{}': {}", text, error.what()));
@@ -286,12 +288,12 @@ std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
     constexpr double of_test_loads = 0.02;
     constexpr double of_supports = 0.25;
     const std::vector<UncertainParameter> before = given;
-    const auto assume = [&](Kind kind, double std) {
+    const auto assume = [&](Kind kind, double std_dev) {
         const auto is_same = [kind](const UncertainParameter& one) {
-            return UncertainParameter{.kind = kind}.name() == one.name();
+            return to_string(kind) == to_string(one.kind);
         };
-        if (std > 0.0 && std::ranges::none_of(before, is_same)) {
-            given.push_back({.kind = kind, .std = std});
+        if (std_dev > 0.0 && std::ranges::none_of(before, is_same)) {
+            given.push_back({.kind = kind, .std_dev = std_dev});
         }
     };
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
@@ -320,7 +322,7 @@ std::vector<UncertainParameter> with_slips(const CableNet& net,
     constexpr double most_of_length = 0.1;
     if (!net.sliding_nodes().empty() && std_of(given, Kind::slip) == 0.0) {
         given.push_back(
-            {.kind = Kind::slip, .std = std::min(any, most_of_length * shortest_sliding(net))});
+            {.kind = Kind::slip, .std_dev = std::min(any, most_of_length * shortest_sliding(net))});
     }
     return given;
 }
@@ -338,7 +340,7 @@ std::vector<int> edges_of(const CableNet& net, const UncertainParameter& paramet
 
 double std_of(const std::vector<UncertainParameter>& uncertain, UncertainParameter::Kind kind) {
     const auto found = std::ranges::find(uncertain, kind, &UncertainParameter::kind);
-    return found == uncertain.end() ? 0.0 : found->std;
+    return found == uncertain.end() ? 0.0 : found->std_dev;
 }
 
 Eigen::VectorXd own_stiffness_stds(const CableNet& net,
@@ -346,7 +348,7 @@ Eigen::VectorXd own_stiffness_stds(const CableNet& net,
     Eigen::VectorXd variances = Eigen::VectorXd::Zero(net.edge_count());
     for (const UncertainParameter& parameter : uncertain) {
         if (parameter.kind == Kind::stiffness_each) {
-            variances(edges_of(net, parameter)).array() += parameter.std * parameter.std;
+            variances(edges_of(net, parameter)).array() += parameter.std_dev * parameter.std_dev;
         }
     }
     return variances.cwiseSqrt();

@@ -23,7 +23,7 @@ struct Units {
 };
 
 Units units_for(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths) {
-    double force = imbalance(net, unstressed_lengths, net.nodes()).mean_tension;
+    double force = imbalance_of(net, unstressed_lengths, net.nodes()).mean_tension;
     if (force == 0.0) {
         force = net.loads().colwise().norm().mean();
     }

@@ -158,7 +158,7 @@ EnergyCertificate certify_states(const CableNet& net,
     }
     balance(net, stiffness, forces);
 
-    EnergyCertificate result{.energy = energy(net, unstressed_lengths, form)};
+    EnergyCertificate result{.energy = potential_energy(net, unstressed_lengths, form)};
     double elastic = 0.0;
     double complementary = 0.0;
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -187,9 +187,9 @@ EnergyCertificate certify_states(const CableNet& net,
 
 }  // namespace
 
-EnergyCertificate certify(const CableNet& net,
-                          const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                          const Eigen::Ref<const Points>& form) {
+EnergyCertificate energy_certificate(const CableNet& net,
+                                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                     const Eigen::Ref<const Points>& form) {
     const auto states = edge_states(net, unstressed_lengths, form);
     Points forces(3, net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -199,10 +199,10 @@ EnergyCertificate certify(const CableNet& net,
     return certify_states(net, unstressed_lengths, form, states, std::move(forces));
 }
 
-EnergyCertificate certify(const CableNet& net,
-                          const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                          const Eigen::Ref<const Points>& form,
-                          const Eigen::Ref<const Points>& edge_forces) {
+EnergyCertificate energy_certificate(const CableNet& net,
+                                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                     const Eigen::Ref<const Points>& form,
+                                     const Eigen::Ref<const Points>& edge_forces) {
     const auto states = edge_states(net, unstressed_lengths, form);
     check_edge_forces(net.edge_count(), edge_forces);
     return certify_states(net, unstressed_lengths, form, states, edge_forces);

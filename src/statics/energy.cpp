@@ -23,8 +23,9 @@ Points shifts_of_supports(const CableNet& net, const Eigen::Ref<const Points>& f
 
 }  // namespace
 
-double energy(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-              const Eigen::Ref<const Points>& form) {
+double potential_energy(const CableNet& net,
+                        const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                        const Eigen::Ref<const Points>& form) {
     double total = 0.0;
     const auto states = edge_states(net, unstressed_lengths, form);
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -71,9 +72,9 @@ CableNet with_supports_in_balance(const CableNet& net) {
     return CableNet(std::move(data));
 }
 
-Eigen::SparseMatrix<double> stiffness(const CableNet& net,
-                                      const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                                      const Eigen::Ref<const Points>& form) {
+Eigen::SparseMatrix<double> tangent_stiffness(
+    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+    const Eigen::Ref<const Points>& form) {
     const LocalNet local = number_naturally(net);
     StiffnessMatrix matrix(local);
     matrix.assemble(local, edge_states(net, unstressed_lengths, form));

@@ -17,11 +17,11 @@ double Imbalance::share() const {
     return mean_tension > 0.0 ? largest / mean_tension : std::numeric_limits<double>::infinity();
 }
 
-Imbalance imbalance(const CableNet& net,
-                    const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                    const Eigen::Ref<const Points>& form) {
+Imbalance imbalance_of(const CableNet& net,
+                       const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                       const Eigen::Ref<const Points>& form) {
     const Eigen::VectorXd forces = out_of_balance_forces(net, unstressed_lengths, form);
-    Eigen::VectorXd tension = tensions(net, unstressed_lengths, form);
+    Eigen::VectorXd tension = tensions_of(net, unstressed_lengths, form);
     const bool has_taut_cable = (mean_weights(net).array() * tension.array() > 0.0).any();
     for (int e = 0; e < net.edge_count(); ++e) {
         if (net.is_strut(e)) {

@@ -72,7 +72,7 @@ std::vector<std::string> unit_warnings(const CableNet& net) {
     }
     // Elastic supports may be given where they stand without load.
     const CableNet held = with_supports_in_balance(net);
-    const Imbalance found = imbalance(held, held.unstressed_lengths(), held.nodes());
+    const Imbalance found = imbalance_of(held, held.unstressed_lengths(), held.nodes());
     if (found.mean_tension > 0.0 && std::isfinite(found.share()) &&
         found.share() > largest_imbalance) {
         warnings.push_back(

@@ -15,7 +15,7 @@ double smallest_stiffness(const CableNet& net,
                           const Eigen::Ref<const Points>& form) {
     constexpr double accuracy = 1e-3;
     constexpr double negligible = 1e-12;
-    const Eigen::SparseMatrix<double> matrix = stiffness(net, unstressed_lengths, form);
+    const Eigen::SparseMatrix<double> matrix = tangent_stiffness(net, unstressed_lengths, form);
     const Eigen::VectorXd diagonal = matrix.diagonal();
     double largest = 0.0;
     for (Eigen::Index k = 0; k < matrix.outerSize(); ++k) {

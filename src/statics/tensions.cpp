@@ -4,6 +4,7 @@
 
 #include "statics/arguments.hpp"
 #include "statics/edge_state.hpp"
+#include "statics/elastic_stretch.hpp"
 
 namespace taut {
 
@@ -17,9 +18,9 @@ Eigen::VectorXd edge_lengths(const CableNet& net, const Eigen::Ref<const Points>
     return lengths;
 }
 
-Eigen::VectorXd tensions(const CableNet& net,
-                         const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                         const Eigen::Ref<const Points>& form) {
+Eigen::VectorXd tensions_of(const CableNet& net,
+                            const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                            const Eigen::Ref<const Points>& form) {
     const auto states = edge_states(net, unstressed_lengths, form);
     Eigen::VectorXd result(net.edge_count());
     std::ranges::transform(states, result.begin(), &EdgeState::tension);

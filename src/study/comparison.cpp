@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "identification/form_prior.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
 #include "taut/numerical_error.hpp"
@@ -141,7 +142,7 @@ private:
         const DataSet data = draw_samples(sampler, count + settings.surveys, m_progress);
         m_comparison.seconds.sampling += sampling.seconds();
         const Stopwatch training;
-        LengthModel model = train(net, data, data.converged_in(0, count), {}, m_progress);
+        LengthModel model = train_model(net, data, data.converged_in(0, count), {}, m_progress);
         make_form_prior(net, model);
         const double training_seconds = training.seconds();
         m_comparison.seconds.training += training_seconds;
@@ -171,8 +172,8 @@ private:
     [[nodiscard]] LengthModel train_next(const std::vector<int>& samples,
                                          const TrainingSettings& settings) {
         const auto models = static_cast<int>(2 * m_comparison.settings.training_samples.size());
-        return train(m_comparison.net, m_data, samples, settings,
-                     m_progress.part(m_models++, models));
+        return train_model(m_comparison.net, m_data, samples, settings,
+                           m_progress.part(m_models++, models));
     }
 
     [[nodiscard]] std::vector<ComparisonRow> rows_of(const Cell& cell,

@@ -13,6 +13,7 @@
 
 #include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
+#include "sampling/uncertain_widths.hpp"
 #include "shared_work.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/numerical_error.hpp"
@@ -59,8 +60,8 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
             "the number of draws", settings.draws,
             "0, or so many that limits may break in one of them with this confidence");
     check_draws(net, settings.draws);
-    const auto count = net.adjustable_edges().size();
-    check_limits(net, net.adjustable_edges(), limits_of_stroke(net, count, settings.stroke));
+    const std::vector<int>& edges = net.adjustable_edges();
+    check_limits(net, edges, stroke_limits(net, edges, settings.stroke));
 }
 
 /// The net with these lengths in equilibrium, its runs after sliding.
@@ -116,7 +117,7 @@ public:
                            .turned = turned,
                            .has_failed = has_failed};
         const Eigen::VectorXd tension =
-            tensions(m_true, m_true.unstressed_lengths(), m_true.nodes());
+            tensions_of(m_true, m_true.unstressed_lengths(), m_true.nodes());
         state.least_tension = tension.minCoeff();
         state.most_tension = tension.maxCoeff();
         // A plan may lead right up to a limit, and forms are as exact as their equilibrium.
@@ -186,7 +187,7 @@ private:
     }
 
     [[nodiscard]] Limits limits() const {
-        Limits limits = limits_of_stroke(m_net, m_net.adjustable_edges().size(), m_settings.stroke);
+        Limits limits = stroke_limits(m_net, m_net.adjustable_edges(), m_settings.stroke);
         limits.shortest_stroke -= m_planned_strokes;
         limits.longest_stroke -= m_planned_strokes;
         limits.shortest_stroke = limits.shortest_stroke.cwiseMin(0.0);

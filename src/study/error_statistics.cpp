@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include "taut/study/error_statistics.hpp"
+#include "study/error_sums.hpp"
 
 #include <fmt/core.h>
 
@@ -23,7 +24,7 @@ LengthErrors length_errors(const Eigen::Ref<const Eigen::MatrixXd>& truth,
 
     LengthErrors result;
     result.mean = errors.rowwise().mean();
-    result.std = (errors.colwise() - result.mean).array().square().rowwise().mean().sqrt();
+    result.std_dev = (errors.colwise() - result.mean).array().square().rowwise().mean().sqrt();
     result.mse = errors.squaredNorm() / static_cast<double>(errors.size());
     const auto deviates = squared_truths > 0.0;
     const auto count = static_cast<double>(deviates.count());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/study/evaluation.hpp"
+#include "study/evaluation.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -10,11 +10,12 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "identification/cramer_rao_bound.hpp"
 #include "numerics/parallel.hpp"
 #include "shared_work.hpp"
+#include "study/error_sums.hpp"
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
-#include "taut/identification/cramer_rao_bound.hpp"
 #include "taut/numerical_error.hpp"
 
 namespace taut {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/study/method.hpp"
+#include "study/method.hpp"
 
 #include <optional>
 #include <utility>
@@ -35,7 +35,7 @@ std::vector<std::optional<LengthEstimates>> estimates_of(const CableNet& net,
     std::vector<std::optional<LengthEstimates>> result(trials.size());
     for (size_t i = 0; i < asked.size(); ++i) {
         const auto column = static_cast<Eigen::Index>(i);
-        result[asked[i]] = {.mean = all.mean.col(column), .std = all.std.col(column)};
+        result[asked[i]] = {.mean = all.mean.col(column), .std_dev = all.std_dev.col(column)};
     }
     return result;
 }

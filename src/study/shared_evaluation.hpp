@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "study/evaluation.hpp"
 #include "taut/export/adjustment.hpp"
-#include "taut/study/evaluation.hpp"
 
 namespace taut {
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "identification/train_together.hpp"
+#include "study/error_sums.hpp"
 #include "study/stopwatch.hpp"
 #include "taut/numerical_error.hpp"
 
@@ -19,12 +20,12 @@ LengthEstimates estimates_of(const std::vector<std::optional<Identification>>& i
                              Eigen::Index edges) {
     const auto count = static_cast<Eigen::Index>(identifications.size());
     LengthEstimates estimates{.mean = Eigen::MatrixXd(edges, count),
-                              .std = Eigen::MatrixXd(edges, count)};
+                              .std_dev = Eigen::MatrixXd(edges, count)};
     for (Eigen::Index k = 0; k < count; ++k) {
         for (Eigen::Index i = 0; i < edges; ++i) {
             const IdentifiedEdge& edge = identifications[k]->edges[i];
             estimates.mean(i, k) = edge.length_deviation;
-            estimates.std(i, k) = edge.std;
+            estimates.std_dev(i, k) = edge.std_dev;
         }
     }
     return estimates;

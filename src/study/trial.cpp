@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/study/trial.hpp"
+#include "study/trial.hpp"
 
 #include <fmt/core.h>
 
@@ -95,7 +95,7 @@ std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials
         for (const int edge : is_turned ? net.adjustable_edges() : std::vector<int>()) {
             const double reach = std::min(longest, most * net.unstressed_lengths()(edge));
             epoch.turned.push_back(
-                {.edge = edge, .stroke = reach * (2.0 * random.uniform() - 1.0), .std = 0.0});
+                {.edge = edge, .stroke = reach * (2.0 * random.uniform() - 1.0), .std_dev = 0.0});
         }
         std::vector<std::vector<EdgeTurned>> steps;
         steps.reserve(trial.epochs.size() + 1);

@@ -64,7 +64,7 @@ bool is_mains(const Fundamental& fundamental) {
     constexpr double tolerance = 0.002;
     return std::ranges::any_of(std::initializer_list<double>{50.0, 60.0}, [&](double mains) {
         return std::abs(fundamental.frequency - mains) <
-               std::max(tolerance * mains, 3.0 * fundamental.std);
+               std::max(tolerance * mains, 3.0 * fundamental.std_dev);
     });
 }
 

@@ -47,7 +47,7 @@ struct Chord {
 /// The curvature q of y = a + b x + q x (l - x), and its standard deviation, x from 0 to l.
 struct Parabola {
     double curvature;
-    double std;
+    double std_dev;
 };
 
 Parabola parabola_through(const CableNet& net, const Chord& chord,
@@ -71,15 +71,15 @@ Parabola parabola_through(const CableNet& net, const Chord& chord,
                                    "{:.3g} m beside it",
                                    x, distance));
         }
-        if (!(point->std > 0.0) || !std::isfinite(point->std)) {
+        if (!(point->std_dev > 0.0) || !std::isfinite(point->std_dev)) {
             refuse_sag(
                 net, edge,
                 fmt::format("has a point with the standard deviation {} m, expected a positive "
                             "one",
-                            point->std));
+                            point->std_dev));
         }
         const Eigen::Vector3d row(1.0, x, x * (1.0 - x));
-        const double weight = 1.0 / (point->std * point->std);
+        const double weight = 1.0 / (point->std_dev * point->std_dev);
         normal += weight * row * row.transpose();
         right_side += weight * from_start.dot(chord.down) * row;
     }
@@ -89,7 +89,7 @@ Parabola parabola_through(const CableNet& net, const Chord& chord,
         refuse_sag(net, edge, "has points too close together for a parabola: spread them over it");
     }
     const Eigen::Matrix3d covariance = factor.solve(Eigen::Matrix3d::Identity());
-    return {.curvature = factor.solve(right_side)(2), .std = std::sqrt(covariance(2, 2))};
+    return {.curvature = factor.solve(right_side)(2), .std_dev = std::sqrt(covariance(2, 2))};
 }
 
 }  // namespace
@@ -120,21 +120,21 @@ std::vector<ForceMeasurement> tensions_by_sag(const CableNet& net, const Points&
                             sag, chord.length));
         }
         constexpr double least_significant = 3.0;
-        if (!(found.curvature > least_significant * found.std)) {
+        if (!(found.curvature > least_significant * found.std_dev)) {
             refuse_sag(
                 net, edge,
                 fmt::format("is {:.2f} +- {:.2f} mm: too little for a tension. Survey it closer, "
                             "or leave it out",
-                            1e3 * sag, 0.25e3 * found.std));
+                            1e3 * sag, 0.25e3 * found.std_dev));
         }
         // y = m g cos(beta) l^2 / (2 T) x (1 - x)
         const double weight = mass * gravity * chord.cosine * chord.length * chord.length;
         const double tension = weight / (2.0 * found.curvature);
-        const double part = found.std / found.curvature;
+        const double part = found.std_dev / found.curvature;
         // 1/q of a normal q is skew: to second order its mean is higher by part^2.
         result.push_back({.edge = edge,
                           .tension = tension,
-                          .std = tension * part * (1.0 + part * part),
+                          .std_dev = tension * part * (1.0 + part * part),
                           .source = ForceSource::sag});
     }
     return result;

@@ -51,7 +51,7 @@ struct Range {
     double least;
     double most;
     [[nodiscard]] double middle() const { return 0.5 * (least + most); }
-    [[nodiscard]] double std() const { return (most - least) / (2.0 * std::sqrt(3.0)); }
+    [[nodiscard]] double std_dev() const { return (most - least) / (2.0 * std::sqrt(3.0)); }
 };
 
 [[noreturn]] void refuse_frequency(const CableNet& net, int edge, const std::string& what) {
@@ -109,12 +109,12 @@ ForceMeasurement tension_of_cable(const CableNet& net, const VibratingCable& cab
                         "expected less than half of it",
                         length, free_length_std));
     }
-    if (!(measured.std > 0.0) || !(measured.std < 0.5 * measured.frequency)) {
+    if (!(measured.std_dev > 0.0) || !(measured.std_dev < 0.5 * measured.frequency)) {
         refuse_frequency(
             net, edge,
             fmt::format("is {:.4g} Hz with the standard deviation {:.4g} Hz, expected one above "
                         "0 and below half of it",
-                        measured.frequency, measured.std));
+                        measured.frequency, measured.std_dev));
     }
     const double EA = net.axial_stiffness()(edge);
     const double of_bar = EA * mass / (4.0 * pi * density_of_steel);  // E A^2 / (4 pi)
@@ -152,11 +152,11 @@ ForceMeasurement tension_of_cable(const CableNet& net, const VibratingCable& cab
     const double found = of_ends.middle() * of_sag.middle();
     return {.edge = edge,
             .tension = found,
-            .std = 2.0 * found *
-                   std::hypot(measured.std / measured.frequency, free_length_std / length),
+            .std_dev = 2.0 * found *
+                       std::hypot(measured.std_dev / measured.frequency, free_length_std / length),
             .source = ForceSource::frequency,
             .mode = measured.mode,
-            .shared_std = std::hypot(of_ends.std(), of_sag.std() * found)};
+            .shared_std = std::hypot(of_ends.std_dev(), of_sag.std_dev() * found)};
 }
 
 }  // namespace
@@ -180,7 +180,8 @@ std::optional<double> expected_frequency(const CableNet& net, int edge, double l
     try {
         for (int k = 0; k < steps; ++k) {
             const ForceMeasurement found = tension_of_cable(
-                net, cable, {.edge = edge, .frequency = frequency, .std = 0.01 * frequency}, 0.0);
+                net, cable, {.edge = edge, .frequency = frequency, .std_dev = 0.01 * frequency},
+                0.0);
             frequency *= std::sqrt(tension / found.tension);
         }
     } catch (const std::invalid_argument&) {  // its own check says whether it is a string

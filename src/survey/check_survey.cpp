@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "net/check_index.hpp"
-#include "taut/survey/covariance.hpp"
+#include "survey/covariance.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -36,10 +36,10 @@ void check_place(const CableNet& net, int node, const MeasuredPlace& measured) {
     if (const double largest = measured.place.cwiseAbs().maxCoeff(); largest > furthest) {
         refuse(fmt::format("has a coordinate of {:g} m, expected at most {:g}", largest, furthest));
     }
-    const Eigen::Vector3d& std = measured.noise_std;
-    if (!(std.allFinite() && std.minCoeff() >= 0.0)) {
-        refuse(fmt::format("has standard deviations of {}, {} and {}, expected 0 or more", std.x(),
-                           std.y(), std.z()));
+    const Eigen::Vector3d& std_dev = measured.noise_std;
+    if (!(std_dev.allFinite() && std_dev.minCoeff() >= 0.0)) {
+        refuse(fmt::format("has standard deviations of {}, {} and {}, expected 0 or more",
+                           std_dev.x(), std_dev.y(), std_dev.z()));
     }
     if (const Eigen::Vector3d& r = measured.correlations; !are_possible_correlations(r)) {
         refuse(
@@ -66,11 +66,11 @@ void check_supports(const CableNet& net, const std::vector<SurveyedSupport>& sup
     }
 }
 
-void check_std(const char* name, double std) {
-    if (!(std >= 0.0 && std::isfinite(std))) {
+void check_std(const char* name, double std_dev) {
+    if (!(std_dev >= 0.0 && std::isfinite(std_dev))) {
         throw SurveyError(
             0, fmt::format("the survey's {} is {}, expected a standard deviation of 0 or more",
-                           name, std));
+                           name, std_dev));
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/survey/control_check.hpp"
+#include "survey/control_check.hpp"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/survey/covariance.hpp"
+#include "survey/covariance.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -31,16 +31,18 @@ bool are_possible_correlations(const Eigen::Vector3d& correlations) {
 }
 
 Eigen::Matrix3d covariance_of(const PlaceNoise& noise) {
-    return noise.std.asDiagonal() * correlation_matrix(noise.correlations) * noise.std.asDiagonal();
+    return noise.std_dev.asDiagonal() * correlation_matrix(noise.correlations) *
+           noise.std_dev.asDiagonal();
 }
 
 PlaceNoise noise_of(const Eigen::Matrix3d& covariance) {
-    const Eigen::Vector3d std = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::Vector3d std_dev = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     const auto correlation = [&](int i, int k) {
-        const double product = std(i) * std(k);
+        const double product = std_dev(i) * std_dev(k);
         return product > 0.0 ? covariance(i, k) / product : 0.0;
     };
-    return {.std = std, .correlations = {correlation(0, 1), correlation(0, 2), correlation(1, 2)}};
+    return {.std_dev = std_dev,
+            .correlations = {correlation(0, 1), correlation(0, 2), correlation(1, 2)}};
 }
 
 Eigen::Matrix3d weight_of(const PlaceNoise& noise) {
@@ -49,7 +51,7 @@ Eigen::Matrix3d weight_of(const PlaceNoise& noise) {
 }
 
 Eigen::Matrix3d whitening_of(const PlaceNoise& noise) {
-    const Eigen::Vector3d weights = noise.std.cwiseInverse();
+    const Eigen::Vector3d weights = noise.std_dev.cwiseInverse();
     if (noise.correlations.isZero(0.0)) {
         return weights.asDiagonal();
     }

@@ -76,12 +76,12 @@ void check_forces(const CableNet& net, const Forces& forces) {
                 fmt::format("the tension of edge '{}' is measured as {} N, expected 0 or more",
                             net.edge_id(measurement.edge), measurement.tension));
         }
-        if (!(measurement.std > 0.0) || !std::isfinite(measurement.std)) {
+        if (!(measurement.std_dev > 0.0) || !std::isfinite(measurement.std_dev)) {
             throw std::invalid_argument(
                 fmt::format("the force measurement of edge '{}' has the standard deviation {} N, "
                             "expected a positive "
                             "one",
-                            net.edge_id(measurement.edge), measurement.std));
+                            net.edge_id(measurement.edge), measurement.std_dev));
         }
         if (measurement.mode < 0) {
             throw std::invalid_argument(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/survey/measured_scale.hpp"
+#include "survey/measured_scale.hpp"
 
 #include <fmt/core.h>
 
@@ -21,7 +21,7 @@ bool MeasuredScale::is_significant() const {
     const boost::math::students_t distribution(redundancy);
     const double limit =
         boost::math::quantile(boost::math::complement(distribution, 0.5 * false_alarm));
-    return std::abs(scale - 1.0) > limit * std;
+    return std::abs(scale - 1.0) > limit * std_dev;
 }
 
 std::optional<MeasuredScale> measured_scale(const std::vector<ControlPoint>& points) {
@@ -47,7 +47,7 @@ std::optional<MeasuredScale> measured_scale(const std::vector<ControlPoint>& poi
     const double left = std::max(0.0, residuals - departure * departure * squares);
     const int redundancy = 3 * static_cast<int>(points.size()) - 7;
     return MeasuredScale{.scale = 1.0 + departure,
-                         .std = std::sqrt(left / (redundancy * squares)),
+                         .std_dev = std::sqrt(left / (redundancy * squares)),
                          .redundancy = redundancy};
 }
 
@@ -60,7 +60,7 @@ std::vector<std::string> scale_warnings(const std::vector<ControlPoint>& points)
         "its {} supports or control points are measured {:.6g} times as far apart as they are "
         "(standard error {:.1g}). Check whether it is in a map grid and the instrument's scale "
         "(ppm), or divide its coordinates by that scale",
-        points.size(), found->scale, found->std)};
+        points.size(), found->scale, found->std_dev)};
 }
 
 }  // namespace taut

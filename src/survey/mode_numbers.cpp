@@ -64,10 +64,10 @@ double log_evidence(const std::vector<FrequencyPeak>& peaks, const StringFit& fi
     const double twice_pi = 2.0 * std::numbers::pi;
     double sum = 0.0;
     for (size_t i = 0; i < peaks.size(); ++i) {
-        const double std = total_std(peaks[i], model_std);
+        const double std_dev = total_std(peaks[i], model_std);
         const double off =
-            (peaks[i].frequency - fit.string.frequency(std::max(fit.modes[i], 1))) / std;
-        sum += fit.modes[i] > 0 ? -0.5 * off * off - std::log(std * std::sqrt(twice_pi))
+            (peaks[i].frequency - fit.string.frequency(std::max(fit.modes[i], 1))) / std_dev;
+        sum += fit.modes[i] > 0 ? -0.5 * off * off - std::log(std_dev * std::sqrt(twice_pi))
                                 : log_foreign(peaks);
     }
     const auto k = static_cast<double>(explained_peaks(fit.modes));
@@ -178,7 +178,7 @@ std::vector<int> without_outliers(const std::vector<FrequencyPeak>& peaks, std::
                 const StringFit others = scattered_fit(peaks, modes);
                 modes[i] = n;
                 const double off = std::abs(peaks[i].frequency - others.string.frequency(n)) /
-                                   std::hypot(total_std(peaks[i], others.part), others.std(n));
+                                   std::hypot(total_std(peaks[i], others.part), others.std_dev(n));
                 worst = off > largest ? i : worst;
                 largest = std::max(off, largest);
             }
@@ -201,7 +201,7 @@ Fundamental fundamental_of(const std::vector<FrequencyPeak>& peaks, const std::v
                        : 0.0;
     }
     return {.frequency = fit.string.frequency(1),
-            .std = fit.std(1),
+            .std_dev = fit.std_dev(1),
             .inharmonicity = fit.string.inharmonicity,
             .misfit = std::sqrt(squares / static_cast<double>(explained_peaks(modes))),
             .modes = modes};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/survey/planned_survey.hpp"
+#include "survey/planned_survey.hpp"
 
 #include <map>
 

@@ -9,9 +9,9 @@
 #include <map>
 
 #include "numerics/small_dense.hpp"
+#include "survey/covariance.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "survey/node_names.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -145,11 +145,11 @@ std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points, const RigidMotio
     for (SurveyPoint& point : points) {
         point.position = motion(point.position);
         if (point.noise_std && !is_isotropic(point)) {
-            const Eigen::Matrix3d covariance =
-                covariance_of({.std = *point.noise_std, .correlations = point.noise_correlations});
+            const Eigen::Matrix3d covariance = covariance_of(
+                {.std_dev = *point.noise_std, .correlations = point.noise_correlations});
             const PlaceNoise noise =
                 noise_of(motion.rotation * covariance * motion.rotation.transpose());
-            point.noise_std = noise.std;
+            point.noise_std = noise.std_dev;
             point.noise_correlations = noise.correlations;
         }
     }

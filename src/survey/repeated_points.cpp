@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "taut/survey/covariance.hpp"
+#include "survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -18,8 +18,8 @@ constexpr double most_deviations = 10.0;
 
 void check_repeat(const SurveyPoint& first, const SurveyPoint& again, double noise_std) {
     const double distance = (again.position - first.position).norm();
-    const double std = again.noise_std ? again.noise_std->maxCoeff() : noise_std;
-    const double limit = std::max(farthest_repeat, most_deviations * std);
+    const double std_dev = again.noise_std ? again.noise_std->maxCoeff() : noise_std;
+    const double limit = std::max(farthest_repeat, most_deviations * std_dev);
     if (distance > limit) {
         throw SurveyError(
             again.line,
@@ -57,7 +57,7 @@ AveragedPoints average_repeated(std::vector<SurveyPoint> points, double noise_st
             offsets += points[i].position - first.position;
             has_std = has_std && points[i].noise_std;
             covariances +=
-                covariance_of({.std = points[i].noise_std.value_or(Eigen::Vector3d::Zero()),
+                covariance_of({.std_dev = points[i].noise_std.value_or(Eigen::Vector3d::Zero()),
                                .correlations = points[i].noise_correlations});
         }
         const auto n = static_cast<double>(indices.size());
@@ -74,7 +74,7 @@ AveragedPoints average_repeated(std::vector<SurveyPoint> points, double noise_st
         }
         first.position = mean;
         const PlaceNoise noise = noise_of(covariances / (n * n));
-        first.noise_std = has_std ? std::optional(noise.std) : std::nullopt;
+        first.noise_std = has_std ? std::optional(noise.std_dev) : std::nullopt;
         first.noise_correlations = has_std ? noise.correlations : Eigen::Vector3d::Zero();
     }
     AveragedPoints result;

@@ -54,7 +54,7 @@ void check_stations(const PolarSimulation& simulation) {
         throw std::invalid_argument(
             fmt::format("the standard deviations of angles and distances are {} rad and {} m, "
                         "expected more than 0",
-                        simulation.angle_std, simulation.distance.std));
+                        simulation.angle_std, simulation.distance.std_dev));
     }
 }
 

@@ -156,7 +156,7 @@ std::vector<FrequencyPeak> spectrum_peaks(const WelchSpectrum& spectrum, double 
     for (const Eigen::Index i : kept) {
         const double level = density(i) / floor(i);
         peaks.push_back({.frequency = spectrum.step * vertex(density, i),
-                         .std = peak_std(spectrum, i, level, duration),
+                         .std_dev = peak_std(spectrum, i, level, duration),
                          .level = level});
     }
     return peaks;

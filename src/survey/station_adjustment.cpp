@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "numerics/small_dense.hpp"
+#include "survey/covariance.hpp"
 #include "survey/polar_residual.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -338,7 +338,7 @@ StationAdjustment StationBlock::result() const {
         result.points.push_back({.id = m_first[t]->target,
                                  .position = m_places.col(t),
                                  .line = m_first[t]->line,
-                                 .noise_std = noise.std,
+                                 .noise_std = noise.std_dev,
                                  .noise_correlations = noise.correlations});
     }
     const auto observed = 3 * std::ssize(m_observations);

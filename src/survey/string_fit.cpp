@@ -18,10 +18,10 @@ StringFit fit_string(const std::vector<FrequencyPeak>& peaks, const std::vector<
         if (modes[i] > 0) {
             const double squared = static_cast<double>(modes[i]) * modes[i];
             const double f = peaks[i].frequency;
-            const double std = 2.0 * f * total_std(peaks[i], part) / squared;
+            const double std_dev = 2.0 * f * total_std(peaks[i], part) / squared;
             const Eigen::Vector2d row(1.0, squared);
-            normal += row * row.transpose() / (std * std);
-            right += row * (f * f / squared) / (std * std);
+            normal += row * row.transpose() / (std_dev * std_dev);
+            right += row * (f * f / squared) / (std_dev * std_dev);
         }
     }
     StringFit fit{.modes = modes, .covariance = Eigen::Matrix2d::Zero(), .is_stiff = is_stiff};

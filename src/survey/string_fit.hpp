@@ -35,7 +35,7 @@ struct StringFit {
     double part = 0.0;           ///< standard deviation of modes from the string, of the frequency
 
     /// Standard deviation of the frequency of a mode [Hz].
-    [[nodiscard]] double std(int n) const {
+    [[nodiscard]] double std_dev(int n) const {
         const Eigen::Vector2d row(1.0, static_cast<double>(n) * n);
         return n * n * std::sqrt(row.dot(covariance * row)) / (2.0 * string.frequency(n));
     }
@@ -44,7 +44,7 @@ struct StringFit {
 /// Standard deviation of a peak about a string [Hz].
 /// @param part standard deviation of modes from the string, as a part of their frequency
 [[nodiscard]] inline double total_std(const FrequencyPeak& peak, double part) {
-    return std::hypot(peak.std, part * peak.frequency);
+    return std::hypot(peak.std_dev, part * peak.frequency);
 }
 
 /// Peaks with a mode.

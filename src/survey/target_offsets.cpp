@@ -99,7 +99,7 @@ bool is_on_positive_side(const Eigen::Vector3d& mean) {
 
 std::string offset_text(const TargetOffset& offset) {
     return fmt::format("{}{}", format_length(offset.offset),
-                       offset.std > 0.0 ? " +- " + format_length(offset.std) : "");
+                       offset.std_dev > 0.0 ? " +- " + format_length(offset.std_dev) : "");
 }
 
 /// The offset of a point by its name, by its code, or that of all.
@@ -143,11 +143,12 @@ void check_names(const TargetOffsets& offsets, Survey& survey) {
 
 void check_target_offset(const TargetOffset& offset) {
     constexpr double largest = 0.5;  // no target stands further off [m]
-    if (!(std::abs(offset.offset) <= largest) || !(offset.std >= 0.0) || !(offset.std <= largest)) {
+    if (!(std::abs(offset.offset) <= largest) || !(offset.std_dev >= 0.0) ||
+        !(offset.std_dev <= largest)) {
         throw std::invalid_argument(fmt::format(
             "the offset is {:g} +- {:g} m, expected at most {:g} m, and a standard deviation "
             "from 0 to {:g} m: a number without unit is in metres",
-            offset.offset, offset.std, largest, largest));
+            offset.offset, offset.std_dev, largest, largest));
     }
 }
 
@@ -155,7 +156,7 @@ TargetOffset parse_target_offset(std::string_view text) {
     const size_t colon = text.find(':');
     TargetOffset offset{.offset = parse_length(text.substr(0, colon))};
     if (colon != std::string_view::npos) {
-        offset.std = parse_length(text.substr(colon + 1));
+        offset.std_dev = parse_length(text.substr(colon + 1));
     }
     check_target_offset(offset);
     return offset;
@@ -197,15 +198,16 @@ void take_off_offsets(const CableNet& net, const TargetOffsets& offsets, Survey&
         auto noise = survey.noise_std.col(point.node);
         if (normal.isZero()) {
             without.push_back(net.node_id(point.node));
-            noise =
-                (noise.array().square() + std::pow(offset->offset, 2) + std::pow(offset->std, 2))
-                    .sqrt();
+            noise = (noise.array().square() + std::pow(offset->offset, 2) +
+                     std::pow(offset->std_dev, 2))
+                        .sqrt();
             continue;
         }
         ++taken[offset_text(*offset)];
         // (offset)
         survey.form.col(point.node) -= offset->offset * normal;
-        noise = (noise.cwiseAbs2() + offset->std * offset->std * normal.cwiseAbs2()).cwiseSqrt();
+        noise = (noise.cwiseAbs2() + offset->std_dev * offset->std_dev * normal.cwiseAbs2())
+                    .cwiseSqrt();
     }
     for (const auto& [text, count] : taken) {
         survey.notes.push_back(

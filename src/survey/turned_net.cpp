@@ -36,11 +36,11 @@ void check_turned(const CableNet& net, std::span<const EdgeTurned> turned) {
                             "of its length",
                             net.edge_id(one.edge), one.stroke, most));
         }
-        if (!(one.std >= 0.0 && one.std <= most)) {
+        if (!(one.std_dev >= 0.0 && one.std_dev <= most)) {
             throw std::invalid_argument(
                 fmt::format("edge '{}' was turned with a standard deviation of {:g} m, expected 0 "
                             "to {:.3g} m, a quarter of its length",
-                            net.edge_id(one.edge), one.std, most));
+                            net.edge_id(one.edge), one.std_dev, most));
         }
     }
 }
@@ -52,7 +52,7 @@ std::vector<EdgeTurned> all_turned(std::span<const std::vector<EdgeTurned>> step
             EdgeTurned& all = sum[one.edge];
             all = {.edge = one.edge,
                    .stroke = all.stroke + one.stroke,
-                   .std = std::hypot(all.std, one.std)};
+                   .std_dev = std::hypot(all.std_dev, one.std_dev)};
         }
     }
     std::vector<EdgeTurned> result;

@@ -39,12 +39,12 @@ inline BuiltNet random_built(const CableNet& net, std::uint64_t seed, double rea
 /// T of all edges where their lengths are these [N].
 inline Eigen::VectorXd solved_tensions(const CableNet& net, const Eigen::VectorXd& lengths,
                                        const Points& start) {
-    return tensions(net, lengths, EquilibriumSolver(net).solve(lengths, start).form);
+    return tensions_of(net, lengths, EquilibriumSolver(net).solve(lengths, start).form);
 }
 
 /// Every adjustable edge may be turned so far [m].
 inline Limits strokes_up_to(const CableNet& net, double stroke) {
-    return limits_of_stroke(net, net.adjustable_edges().size(), stroke);
+    return stroke_limits(net, net.adjustable_edges(), stroke);
 }
 
 /// And all tensions are to lie between two [N].

@@ -12,6 +12,7 @@
 
 #include "adjustment/force_ranges.hpp"
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
@@ -38,11 +39,11 @@ CableNet site_net() {
 
 Identification identified(const CableNet& net, const Survey& survey,
                           std::vector<UncertainParameter> given) {
-    return identify(net, survey,
-                    {.method = IdentificationMethod::map,
-                     .prior = prior,
-                     .uncertain = std::move(given),
-                     .draws = 30});
+    return test::identify_lengths(net, survey,
+                                  {.method = IdentificationMethod::map,
+                                   .prior = prior,
+                                   .uncertain = std::move(given),
+                                   .draws = 30});
 }
 
 /// Each sample of the built net has the form and the tensions that the identification drew.
@@ -58,7 +59,7 @@ void expect_same_samples(const CableNet& net, const Identification& found) {
         const CableNet sample = net_under(built.net, perturbation, built.length_draws.col(d));
         const Equilibrium equilibrium = solve_equilibrium(sample);
         const Eigen::VectorXd pull =
-            tensions(sample, sample.unstressed_lengths(), equilibrium.form);
+            tensions_of(sample, sample.unstressed_lengths(), equilibrium.form);
         const Eigen::VectorXd drawn = found.draws->tensions.col(d);
         EXPECT_LT((pull - drawn).cwiseAbs().maxCoeff(), 1e-5 * drawn.mean()) << d;
         EXPECT_LT((free_coordinates(net, equilibrium.form) - found.draws->forms.col(d))
@@ -120,7 +121,7 @@ TEST(BuiltNet, HasTheTensionsOfSamplesInAnotherFrame) {
         const CableNet sample = net_under(built.net, built.perturbations[static_cast<size_t>(d)],
                                           built.length_draws.col(d));
         const Eigen::VectorXd pull =
-            tensions(sample, sample.unstressed_lengths(), solve_equilibrium(sample).form);
+            tensions_of(sample, sample.unstressed_lengths(), solve_equilibrium(sample).form);
         const Eigen::VectorXd drawn = found.draws->tensions.col(d);
         // Small rotations turn neither loads nor springs.
         EXPECT_LT((pull - drawn).cwiseAbs().maxCoeff(), 2e-3 * drawn.mean()) << d;
@@ -176,9 +177,9 @@ TEST(BuiltNet, OfOlderSamplesWithoutWhatWasUncertainHasNone) {
 
 TEST(ForceRanges, AnEdgeWithoutTensionIsSlack) {
     const CableNet net = hypar(5, 5);
-    const TensionLimits any = limits_of_stroke(net, net.adjustable_edges().size(), 0.01).tension;
+    const TensionLimits any = stroke_limits(net, net.adjustable_edges(), 0.01).tension;
     const ForceRange range = range_of(net, any, {});
-    Eigen::VectorXd forces = tensions(net, net.unstressed_lengths(), net.nodes());
+    Eigen::VectorXd forces = tensions_of(net, net.unstressed_lengths(), net.nodes());
     EXPECT_EQ(range.violation(forces), 0.0);
     forces(3) = 0.0;
     EXPECT_GT(range.violation(forces), negligible_violation * forces.mean());

@@ -18,7 +18,7 @@ namespace {
 class LimitsOfAHypar : public ::testing::Test {
 protected:
     void expect_refused(const std::function<void(Limits&)>& change, const char* text) const {
-        Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 10e-3);
+        Limits limits = stroke_limits(net, net.adjustable_edges(), 10e-3);
         change(limits);
         test::expect_refused([&] { check_limits(net, net.adjustable_edges(), limits); }, text);
     }

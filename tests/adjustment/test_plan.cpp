@@ -264,7 +264,7 @@ TEST(Plan, HasTheLeastViolationWhereLimitsCannotBeKept) {
     const CableNet net = hypar(4, 4);
     const BuiltNet built = random_built(net, 1, 2e-3);
     const Eigen::VectorXd now =
-        tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
+        tensions_of(built.net, built.net.unstressed_lengths(), built.net.nodes());
     const Plan plan =
         plan_strokes(built, FormTarget(net, net.nodes()),
                      limits_between(built.net, 1e-3, 3.0 * now.mean(), 10.0 * now.mean()));
@@ -454,11 +454,11 @@ TEST(Plan, IsBasedOnAFailedIdentificationWhereItsChecksFailed) {
     const CableNet net = hypar(3, 3);
     Identification identification;
     identification.trust.findings = {
-        {.severity = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
+        {.severity = Trust::Verdict::doubtful, .reason = "a length is odd", .advice = ""}};
     EXPECT_EQ(built_net_of(net, identification).failed_because, "");
     identification.trust.findings = {{.severity = Trust::Verdict::failed,
                                       .reason = "The noise is contradicted.",
-                                      .next = "Estimate it."}};
+                                      .advice = "Estimate it."}};
     EXPECT_EQ(built_net_of(net, identification).failed_because,
               "The noise is contradicted. Estimate it.");
 }
@@ -467,9 +467,9 @@ TEST(Plan, RefusesOptionsOutOfRange) {
     const CableNet net = hypar(3, 3);
     BuiltNet built = random_built(net, 1, 1e-3);
     const auto planned = [&](const PlanOptions& options) {
-        const size_t edges =
-            options.edges.empty() ? net.adjustable_edges().size() : options.edges.size();
-        return plan_strokes(built, FormTarget(net, net.nodes()), limits_of_stroke(net, edges, 5e-3),
+        const std::vector<int>& edges =
+            options.edges.empty() ? net.adjustable_edges() : options.edges;
+        return plan_strokes(built, FormTarget(net, net.nodes()), stroke_limits(net, edges, 5e-3),
                             options);
     };
     const auto expect_refused = [&](const PlanOptions& options, const char* text) {

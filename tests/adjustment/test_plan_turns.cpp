@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "adjustment/built_nets.hpp"
+#include "adjustment/resolved_request.hpp"
 #include "support/not_finite.hpp"
 #include "support/refusals.hpp"
 #include "taut/design/builtin_nets.hpp"

@@ -7,7 +7,10 @@
 
 #include <cmath>
 
+#include "adjustment/built_net_parts.hpp"
+#include "adjustment/resolved_request.hpp"
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/plan_turns.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -32,7 +35,7 @@ TEST(PlanOfASlidingCable, HoldsOnTheTrueNet) {
         const CableNet built = ridge(0.1 * (seed + 0.5) / surveys);  // all that taut assumes
         const test::SimulatedSurvey s =
             test::simulate(built, {LengthPrior::Kind::normal, 2e-3}, 0.5e-3, seed);
-        const Identification found = identify(
+        const Identification found = test::identify_lengths(
             net, s.survey, {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}, .draws = 100});
         const BuiltNet identified = built_net_of(net, found);
         const Plan plan = plan_turns(net, identified, target).plan;
@@ -42,7 +45,7 @@ TEST(PlanOfASlidingCable, HoldsOnTheTrueNet) {
         }
         const Equilibrium after = EquilibriumSolver(built).solve(lengths, plan.form);
         ASSERT_TRUE(after.balanced());
-        const Eigen::VectorXd tension = tensions(built, after.unstressed_lengths, after.form);
+        const Eigen::VectorXd tension = tensions_of(built, after.unstressed_lengths, after.form);
         inside += ((tension.array() >= plan.tension_lower.array()) &&
                    (tension.array() <= plan.tension_upper.array()))
                       .cast<double>()
@@ -64,7 +67,7 @@ TEST(PlanOfASlidingCable, CountsTurnsWithoutWhatSlid) {
     const test::SimulatedSurvey s =
         test::simulate(net, {LengthPrior::Kind::normal, 2e-3}, 0.5e-3, 4,
                        [](Eigen::VectorXd& deviations) { deviations(0) += 30e-3; });
-    const Identification found = identify(
+    const Identification found = test::identify_lengths(
         net, s.survey, {.prior = LengthPrior{LengthPrior::Kind::normal, 20e-3}, .draws = 0});
     const BuiltNet built = built_net_of(net, found);
     const int end = net.data().runs.at(0).edges.front();

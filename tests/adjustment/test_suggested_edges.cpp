@@ -63,7 +63,7 @@ TEST(SuggestedEdges, AreTheBestOfAllTriedOneByOne) {
             options.edges.push_back(edge);
             std::ranges::sort(options.edges);
             const Plan tried = plan_strokes(
-                built, target, limits_of_stroke(built.net, options.edges.size(), stroke), options);
+                built, target, stroke_limits(built.net, options.edges, stroke), options);
             least = std::min(least, tried.planned.rmse);
             if (edge == one.edge) {
                 with_it = tried.planned.rmse;

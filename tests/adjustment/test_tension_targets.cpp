@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "adjustment/built_nets.hpp"
+#include "adjustment/resolved_request.hpp"
 #include "adjustment/target_deviations.hpp"
 #include "support/finite_differences.hpp"
 #include "taut/adjustment/plan_turns.hpp"
@@ -64,7 +65,7 @@ protected:
 
     CableNet design = hypar(5, 5);
     BuiltNet built = test::random_built(design, 7, 2e-3);
-    Eigen::VectorXd now = tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
+    Eigen::VectorXd now = tensions_of(built.net, built.net.unstressed_lengths(), built.net.nodes());
     std::vector<int> some = {design.adjustable_edges()[0], design.adjustable_edges()[5],
                              design.adjustable_edges()[11]};
 };
@@ -143,7 +144,7 @@ TEST_F(TensionTargets, SayWhatIsInTheWay) {
     }
     std::ranges::sort(apart, {}, &TensionTarget::edge);
     const Plan few = plan_strokes(built, FormTarget(design, design.nodes(), no_form),
-                                  limits_of_stroke(built.net, 1, 15e-3),
+                                  stroke_limits(built.net, {first}, 15e-3),
                                   {.edges = {first}, .target_tensions = apart});
     EXPECT_TRUE(std::ranges::any_of(few.target_tensions, [](const ReachedTension& one) {
         return one.obstacle == TensionObstacle::turnbuckles;
@@ -155,7 +156,7 @@ TEST_F(TensionTargets, TightenSlackEdges) {
     lengths(some[0]) += 40e-3;
     built.net = test::with_lengths(design, lengths);
     const double slack =
-        tensions(built.net, built.net.unstressed_lengths(), built.net.nodes())(some[0]);
+        tensions_of(built.net, built.net.unstressed_lengths(), built.net.nodes())(some[0]);
     ASSERT_EQ(slack, 0.0);
     const Plan plan = planned({.target_tensions = targets_at(some, 1.0)}, 60e-3, no_form);
     EXPECT_EQ(plan.target_tensions[0].as_built, 0.0);
@@ -178,9 +179,10 @@ TEST_F(TensionTargets, AreReachedInTheMeanOfTheSamples) {
         EXPECT_NEAR(*one.mean, one.target, 0.1 * one.tolerance);
         EXPECT_GT(std::abs(one.planned - one.target), one.tolerance);
         EXPECT_EQ(one.obstacle, TensionObstacle::none);
-        EXPECT_NEAR(*one.std, 0.03 * one.target, 0.015 * one.target);
+        EXPECT_NEAR(*one.std_dev, 0.03 * one.target, 0.015 * one.target);
         // The probability of a normal distribution between its tolerances.
-        EXPECT_NEAR(*one.probability, std::erf(one.tolerance / (*one.std * std::sqrt(2.0))), 0.15);
+        EXPECT_NEAR(*one.probability, std::erf(one.tolerance / (*one.std_dev * std::sqrt(2.0))),
+                    0.15);
     }
 }
 
@@ -225,7 +227,7 @@ TEST_F(TensionTargets, SuggestTheEdgeThatReachesThem) {
     const std::vector<int> edges = {design.adjustable_edges()[0]};
     const PlanOptions options{.edges = edges, .target_tensions = targets_at({inner}, 1.5)};
     const FormTarget target(design, design.nodes(), no_form);
-    const Limits limits = limits_of_stroke(built.net, 1, 10e-3);
+    const Limits limits = stroke_limits(built.net, edges, 10e-3);
     const Plan plan = plan_strokes(built, target, limits, options);
     ASSERT_GT(std::abs(plan.target_tensions[0].deviation()), 1.0);
     const std::vector<SuggestedEdge> suggested =

@@ -46,7 +46,7 @@ TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryStep) {
         std::map<int, double> done;
         // A limit that was broken before the work may stay broken, but by no more.
         const Eigen::VectorXd before =
-            tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
+            tensions_of(built.net, built.net.unstressed_lengths(), built.net.nodes());
         const Eigen::VectorXd least = before.cwiseMin(1e3);
         const Eigen::VectorXd most = before.cwiseMax(11e3);
         Eigen::VectorXd lengths = built.net.unstressed_lengths();
@@ -60,7 +60,7 @@ TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryStep) {
                 continue;
             }
             form = EquilibriumSolver(built.net).solve(lengths, form).form;
-            const Eigen::VectorXd now = tensions(built.net, lengths, form);
+            const Eigen::VectorXd now = tensions_of(built.net, lengths, form);
             EXPECT_NEAR(turning.tension, now(turning.edge), 1.0);
             EXPECT_NEAR(turning.length, edge_lengths(built.net, form)(turning.edge), 1e-6);
             EXPECT_GT((now - least).minCoeff(), -1.0);
@@ -135,7 +135,7 @@ TEST_F(TurnOrderOfHilo, WalksFromNeighbourToNeighbour) {
 TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
     // The net keeps these limits before and after the work, but on no way.
     const Eigen::VectorXd before =
-        tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
+        tensions_of(built.net, built.net.unstressed_lengths(), built.net.nodes());
     plan.strokes.resize(20);  // each is tried at most steps, which takes long
     limits.tension.lower = 0.999 * before.cwiseMin(plan.tensions);
     limits.tension.upper = 1.001 * before.cwiseMax(plan.tensions);
@@ -181,7 +181,7 @@ protected:
         for (Eigen::VectorXd lengths : nets.colwise()) {
             Points form = EquilibriumSolver(built.net).solve(lengths, built.net.nodes()).form;
             const Eigen::VectorXd allowed =
-                tensions(built.net, lengths, form).cwiseMin(least).array() - 0.1;
+                tensions_of(built.net, lengths, form).cwiseMin(least).array() - 0.1;
             bool is_kept = true;
             for (size_t i = 0; i < order.turnings.size() && is_kept; ++i) {
                 lengths(order.turnings[i].edge) += order.turnings[i].stroke;
@@ -190,7 +190,7 @@ protected:
                     continue;
                 }
                 form = EquilibriumSolver(built.net).solve(lengths, form).form;
-                is_kept = (tensions(built.net, lengths, form) - allowed).minCoeff() >= 0.0;
+                is_kept = (tensions_of(built.net, lengths, form) - allowed).minCoeff() >= 0.0;
             }
             kept += is_kept ? 1 : 0;
         }

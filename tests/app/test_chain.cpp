@@ -82,8 +82,8 @@ TEST_F(Chain, SampleWritesWhatTheLibraryDrawsOnAnyNumberOfThreads) {
     const DataSet data = read_data_set(folder() / "data.h5").data;
     const Sampler sampler(m_net, parse_length_prior("normal:1mm"), 7,
                           {parse_uncertain_parameter("supports:1mm")});
-    DataSet expected = sampler.empty();
-    sampler.extend(expected, 30);
+    DataSet expected = sampler.no_samples();
+    sampler.extend_to(expected, 30);
     EXPECT_EQ(data.length_deviations, expected.length_deviations);
     EXPECT_EQ(data.form_deviations, expected.form_deviations);
     EXPECT_FALSE(exists("data.h5.partial"));
@@ -169,9 +169,9 @@ TEST_F(Chain, IdentifyWritesTheCovariancesOfAListOfEdgesInItsOrder) {
     const json result = json::parse(read("result.json"));
     EXPECT_EQ(result["length_covariance"]["ids"], json({interior, first}));
     for (size_t k = 0; k < 2; ++k) {
-        const auto std = result["edges"][1 - k]["std"].get<double>();
-        EXPECT_NEAR(result["length_covariance"]["covariance"][k][k].get<double>(), std * std,
-                    1e-9 * std * std);
+        const auto std_dev = result["edges"][1 - k]["std"].get<double>();
+        EXPECT_NEAR(result["length_covariance"]["covariance"][k][k].get<double>(),
+                    std_dev * std_dev, 1e-9 * std_dev * std_dev);
     }
 }
 

@@ -71,9 +71,10 @@ TEST_F(InspectSurvey, GivesEachEdgeAndTheCounts) {
     std::map<std::string, int> of_status;
     double squares = 0.0;
     for (const json& edge : predicted["edges"]) {
-        const double std = edge["std"];
-        squares += std * std;
-        EXPECT_NEAR(edge["ratio"].get<double>(), std / predicted["prior_std"].get<double>(), 1e-12);
+        const double std_dev = edge["std"];
+        squares += std_dev * std_dev;
+        EXPECT_NEAR(edge["ratio"].get<double>(), std_dev / predicted["prior_std"].get<double>(),
+                    1e-12);
         ++of_status[edge["status"]];
     }
     EXPECT_GT(of_status["not_determined"], 0);

@@ -152,12 +152,12 @@ protected:
 
     void make_data_and_model(const CableNet& net, const std::string& prefix) const {
         const Sampler sampler(net, {}, 1);
-        DataSet data = sampler.empty();
-        sampler.extend(data, 8);
+        DataSet data = sampler.no_samples();
+        sampler.extend_to(data, 8);
         const NetFile file{.net = net, .unknown_keys = "{}"};
         write_data_set(folder() / (prefix + "data.h5"), data, file);
-        write_model(folder() / (prefix + "model.h5"), train(net, data, {0, 1, 2, 3, 4, 5, 6, 7}),
-                    file);
+        write_model(folder() / (prefix + "model.h5"),
+                    train_model(net, data, {0, 1, 2, 3, 4, 5, 6, 7}), file);
     }
 };
 

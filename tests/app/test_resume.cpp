@@ -28,8 +28,8 @@ protected:
     void write_partial(int count, const CableNet& net = hypar(2, 3), const LengthPrior& prior = {},
                        std::uint64_t seed = 1) const {
         const Sampler sampler(net, prior, seed);
-        DataSet data = sampler.empty();
-        sampler.extend(data, count);
+        DataSet data = sampler.no_samples();
+        sampler.extend_to(data, count);
         write_data_set(folder() / "data.h5.partial", data, {.net = net, .unknown_keys = "{}"});
     }
 

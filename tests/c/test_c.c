@@ -112,6 +112,73 @@ static void check_whole_chain(void) {
     free(tension_stds);
 }
 
+static void check_all_evidence(void) {
+    taut_net* net = taut_builtin_net("hypar:5x5");
+    const int m = taut_edge_count(net);
+    double* form = malloc(3 * taut_node_count(net) * sizeof *form);
+    double* tensions = malloc(m * sizeof *tensions);
+    double* stds = malloc(m * sizeof *stds);
+    double* fewer = malloc(m * sizeof *fewer);
+    taut_survey* first = survey_of(net, form);
+    CHECK(taut_equilibrium(net, NULL, NULL, tensions) == TAUT_OK);
+    for (int i = 0; i < 3 * taut_node_count(net); ++i) {
+        form[i] += 0.5e-3 * cos(2.0 + 5.17 * i * i) - noise(i);
+    }
+    taut_survey* second = taut_make_survey(net, form, 0.5e-3);
+    CHECK(first != NULL && second != NULL);
+
+    /* A load cell narrows tensions: of all edges, since their stiffness is uncertain in common. */
+    char options[200];
+    snprintf(options, sizeof options,
+             "{\"draws\": 60, \"forces\": \"edge,tension,std\\n0,%.6g,%.6g\\n\", "
+             "\"taut_edges\": [\"1\"]}",
+             tensions[0], 0.005 * tensions[0]);
+    taut_result* alone = taut_identify(net, first, "{\"draws\": 60}");
+    taut_result* with_cell = taut_identify(net, first, options);
+    CHECK(taut_result_edges(alone, NULL, NULL, NULL, stds) == TAUT_OK);
+    CHECK(taut_result_edges(with_cell, NULL, NULL, NULL, fewer) == TAUT_OK);
+    CHECK(fewer[0] < 0.6 * stds[0] && fewer[1] < stds[1]);
+    taut_free_result(with_cell);
+
+    /* Two surveys know lengths better than one. */
+    const taut_survey* both[] = {first, second};
+    taut_result* of_both = taut_identify_epochs(net, both, 2, "{\"draws\": 60}");
+    CHECK(of_both != NULL && strstr(taut_result_json(of_both), "\"epochs\"") != NULL);
+    CHECK(taut_result_edges(alone, NULL, stds, NULL, NULL) == TAUT_OK);
+    CHECK(taut_result_edges(of_both, NULL, fewer, NULL, NULL) == TAUT_OK);
+    double sum = 0.0;
+    double sum_of_both = 0.0;
+    for (int e = 0; e < m; ++e) {
+        sum += stds[e];
+        sum_of_both += fewer[e];
+    }
+    CHECK(sum_of_both < sum);
+    taut_free_result(of_both);
+
+    CHECK(fails(taut_identify(net, first, "{\"forces\": \"none,1\\n\"}"), TAUT_WRONG_INPUT,
+                "options:/forces:1"));
+    CHECK(fails(taut_identify(net, first, "{\"frequencies\": \"0,8\\n\"}"), TAUT_WRONG_INPUT,
+                "mass"));
+    CHECK(fails(taut_identify(net, first, "{\"slack_edges\": [\"none\"]}"), TAUT_WRONG_INPUT,
+                "options:/slack_edges: names 'none'"));
+    CHECK(fails(taut_identify_epochs(net, both, 1, NULL), TAUT_WRONG_INPUT, "1 surveys"));
+    CHECK(fails(taut_identify_epochs(net, NULL, 2, NULL), TAUT_WRONG_INPUT, "surveys is NULL"));
+    CHECK(fails(taut_identify_epochs(net, both, 2, "{\"turned\": [\"\", \"\"]}"), TAUT_WRONG_INPUT,
+                "expected one for each of 1 later"));
+    CHECK(fails(taut_identify_epochs(net, both, 2, "{\"turned\": [\"none,0.001\\n\"]}"),
+                TAUT_WRONG_INPUT, "options:/turned/0:1"));
+    both[1] = first;
+    CHECK(fails(taut_identify_epochs(net, both, 2, NULL), TAUT_WRONG_INPUT, "repeats survey"));
+    taut_free_result(alone);
+    taut_free_survey(first);
+    taut_free_survey(second);
+    taut_free_net(net);
+    free(form);
+    free(tensions);
+    free(stds);
+    free(fewer);
+}
+
 static void check_refusals(void) {
     taut_net* net = taut_builtin_net("hypar:5x5");
     double* form = malloc(3 * taut_node_count(net) * sizeof *form);
@@ -132,12 +199,12 @@ static void check_refusals(void) {
         {"[]", "options: is no JSON object"},
         {"{\"prior\": 2}", "options:/prior: is not a text"},
         {"{\"prior\": \"2\"}", "options:/prior: "},
-        {"{\"priors\": \"normal:2mm\"}", "options:/priors: is no option, expected method, prior"},
+        {"{\"priors\": \"normal:2mm\"}", "options:/priors: is no option, expected forces"},
         {"{\"draws\": -1}", "options:/draws: is not an integer of 0 or more"},
         {"{\"draws\": 1e9}", "options:/draws: is not an integer"},
         {"{\"uncertain\": \"all\"}", "options:/uncertain: "},
         {"{\"uncertain\": [\"stiffness:40%\"]}", "width of 30 %"},
-        {"{\"method\": \"best\"}", "options:/method: is 'best'"},
+        {"{\"method\": \"best\"}", "options:/method: no method is called"},
     };
     for (size_t k = 0; k < sizeof options / sizeof *options; ++k) {
         CHECK(fails(taut_identify(net, survey, options[k][0]), TAUT_WRONG_INPUT, options[k][1]));
@@ -177,6 +244,7 @@ static void check_refusals(void) {
 int main(void) {
     CHECK(strlen(taut_version()) >= 5);
     check_whole_chain();
+    check_all_evidence();
     check_refusals();
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -22,9 +22,9 @@ namespace {
 // Uses what needs every library that taut links: sparse solves, threads, LAPACK, the conic solver.
 bool trains_and_solves(const taut::CableNet& net) {
     const taut::Sampler sampler(net, {.scale = 0.002}, 1);
-    taut::DataSet data = sampler.empty();
-    sampler.extend(data, 40);
-    const taut::LengthModel model = taut::train(net, data, data.converged_in(0, data.size()));
+    taut::DataSet data = sampler.no_samples();
+    sampler.extend_to(data, 40);
+    const taut::LengthModel model = taut::train_model(net, data, data.converged_in(0, data.size()));
     std::cout << model.processes.processes.size() << " processes\n";
     return static_cast<int>(model.processes.processes.size()) == net.interior_edge_count() &&
            (!taut::cone_solver_available() ||

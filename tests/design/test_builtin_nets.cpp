@@ -33,14 +33,14 @@ TEST(Hypar, IsAGridWithASupportAtBothEndsOfEveryLineAndInEquilibrium) {
         EXPECT_EQ(net.adjustable_edges(), edges_at_supports(net.edges(), net.supports()));
         EXPECT_EQ(net.adjustable_edges().size(), 2 * (rows + columns));
         EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), net.nodes()).empty());
-        EXPECT_LT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10);
+        EXPECT_LT(imbalance_of(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10);
     }
 }
 
 TEST(SteelRoof, IsTautAndInEquilibriumUnderItsLoads) {
     const CableNet net = builtin_net("steel-roof");
     EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), net.nodes()).empty());
-    EXPECT_LT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10);
+    EXPECT_LT(imbalance_of(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10);
     EXPECT_FALSE(net.is_linear());
     EXPECT_EQ(net.data().groups.at("carrying").size() + net.data().groups.at("bracing").size(),
               static_cast<size_t>(net.edge_count()));
@@ -66,11 +66,11 @@ TEST(SteelRoof, HasStrandsOnBothSlopesOfTheirLaws) {
 TEST(NetsWithStruts, AreInEquilibriumAndTautWithPressedStruts) {
     for (const char* const name : {"cable-dome", "spoke-wheel", "tensegrity-simplex"}) {
         const CableNet net = builtin_net(name);
-        const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+        const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), net.nodes());
         for (int e = 0; e < net.edge_count(); ++e) {
             EXPECT_EQ(tension(e) < 0.0, net.is_strut(e)) << name << ' ' << e;
         }
-        EXPECT_LT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10) << name;
+        EXPECT_LT(imbalance_of(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10) << name;
         EXPECT_EQ(solve_equilibrium(net).status, EquilibriumStatus::converged) << name;
         EXPECT_EQ(net.name(), name);
     }
@@ -89,7 +89,7 @@ TEST(SlidingRidge, IsInEquilibriumWithoutSlidingAnyFurther) {
 
 TEST(TensegritySimplex, HasThePublishedSelfStress) {
     const CableNet net = tensegrity_simplex();
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), net.nodes());
     const auto of = [&](const char* group) {
         return tension(net.data().groups.at(group).back()) / -tension(0);
     };

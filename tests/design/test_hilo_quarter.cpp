@@ -49,7 +49,7 @@ TEST(HiloQuarter, HasTheCountsOfThePrototype) {
 
 TEST(HiloQuarter, IsInEquilibriumAtSomeTwoPercentOfStrain) {
     const CableNet net = hilo_quarter();
-    EXPECT_LT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10);
+    EXPECT_LT(imbalance_of(net, net.unstressed_lengths(), net.nodes()).share(), 1e-10);
     const Eigen::ArrayXd strain =
         edge_lengths(net, net.nodes()).array() / net.unstressed_lengths().array() - 1.0;
     EXPECT_GT(strain.minCoeff(), 0.01);

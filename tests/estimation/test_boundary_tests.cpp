@@ -47,15 +47,15 @@ TEST(BoundaryScore, IsThatOfTheFreeNumber) {
     const Fitted freed(net, with_length(net, edge, off), true);
     const Linearisation::Score score = held.fit.at.linearisation.score_of_edge(
         edge, held.fit.at.covariance, held.fit.at.iterate, held.fit.observations);
-    const double std = 1.0 / std::sqrt(score.information(0, 0));
+    const double std_dev = 1.0 / std::sqrt(score.information(0, 0));
     const double estimate = score.gradient(0) / score.information(0, 0);
     const std::vector<BoundaryOutlier> found = boundary_outliers(freed.fit.hypotheses);
-    ASSERT_EQ(found.size(), 1U) << estimate << " +- " << std;
+    ASSERT_EQ(found.size(), 1U) << estimate << " +- " << std_dev;
     EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::adjustable_edge);
     EXPECT_EQ(found[0].index, edge);
     EXPECT_NEAR(estimate, found[0].deviation.x(), 0.1 * off);
-    EXPECT_NEAR(std, found[0].std.x(), 0.1 * std);
-    EXPECT_NEAR(found[0].deviation.x(), off, 4.0 * found[0].std.x());
+    EXPECT_NEAR(std_dev, found[0].std_dev.x(), 0.1 * std_dev);
+    EXPECT_NEAR(found[0].deviation.x(), off, 4.0 * found[0].std_dev.x());
 }
 
 // A support with one edge takes no solution of its own, surveyed or not, beside common parameters.
@@ -88,8 +88,9 @@ TEST(BoundaryScore, OfASurveyedSupportIsThatOfTheFreePlace) {
         EXPECT_EQ(found[0].index, held);
         const Eigen::Matrix3d covariance = score.information.inverse();
         for (int k = 0; k < 3; ++k) {
-            EXPECT_NEAR(estimate(k), found[0].deviation(k), 0.5 * found[0].std(k));
-            EXPECT_NEAR(std::sqrt(covariance(k, k)), found[0].std(k), 0.1 * found[0].std(k));
+            EXPECT_NEAR(estimate(k), found[0].deviation(k), 0.5 * found[0].std_dev(k));
+            EXPECT_NEAR(std::sqrt(covariance(k, k)), found[0].std_dev(k),
+                        0.1 * found[0].std_dev(k));
         }
     }
 }
@@ -124,9 +125,9 @@ TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
     EXPECT_EQ(found[0].index, held);
     const Eigen::Matrix3d covariance = score.information.inverse();
     for (int k = 0; k < 3; ++k) {
-        EXPECT_NEAR(found[0].deviation(k), k == 2 ? 0.006 : 0.0, 4.0 * found[0].std(k));
-        EXPECT_NEAR(estimate(k), found[0].deviation(k), 0.1 * 0.006 + 0.5 * found[0].std(k));
-        EXPECT_NEAR(std::sqrt(covariance(k, k)), found[0].std(k), 0.1 * found[0].std(k));
+        EXPECT_NEAR(found[0].deviation(k), k == 2 ? 0.006 : 0.0, 4.0 * found[0].std_dev(k));
+        EXPECT_NEAR(estimate(k), found[0].deviation(k), 0.1 * 0.006 + 0.5 * found[0].std_dev(k));
+        EXPECT_NEAR(std::sqrt(covariance(k, k)), found[0].std_dev(k), 0.1 * found[0].std_dev(k));
     }
 }
 

@@ -195,11 +195,12 @@ TEST(EpochEvidence, IsTestedAsDifferencesOfLeastSquares) {
             const Eigen::VectorXd only = Eigen::VectorXd::Unit(size, i);
             const double information = only.dot(weights * only);
             EXPECT_NEAR(changes.change(i), only.dot(weights * difference) / information, 1e-7);
-            EXPECT_NEAR(changes.std(i), 1.0 / std::sqrt(information), 1e-7);
+            EXPECT_NEAR(changes.std_dev(i), 1.0 / std::sqrt(information), 1e-7);
             const auto [along, along_std] = test.change_along(only);
             EXPECT_NEAR(along, changes.change(i), 1e-9);
-            EXPECT_NEAR(along_std, changes.std(i), 1e-9);
-            EXPECT_NEAR(changes.statistic(i), std::abs(changes.change(i)) / changes.std(i), 1e-6);
+            EXPECT_NEAR(along_std, changes.std_dev(i), 1e-9);
+            EXPECT_NEAR(changes.statistic(i), std::abs(changes.change(i)) / changes.std_dev(i),
+                        1e-6);
         }
     }
 }

@@ -397,7 +397,7 @@ protected:
     std::vector<UncertainParameter> m_narrow = [this] {
         std::vector<UncertainParameter> result = m_uncertain;
         for (UncertainParameter& one : result) {
-            one.std /= 20.0;
+            one.std_dev /= 20.0;
         }
         return result;
     }();

@@ -127,7 +127,7 @@ TEST(LoadCheck, FindsALoadThatIsMissing) {
     for (const double force : {20.0, -20.0}) {
         const LoadCheck check = check_of(force);
         EXPECT_TRUE(check.is_missing());
-        EXPECT_NEAR(check.force, force, 4.0 * check.std);
+        EXPECT_NEAR(check.force, force, 4.0 * check.std_dev);
     }
 }
 
@@ -136,16 +136,16 @@ TEST(LoadScore, IsTheSlopeOfTheObjective) {
     const CableNet net = hypar(6, 6);
     const SimulatedSurvey s = simulate(net, of_lengths, of_survey, 3);
     const LoadCheck check = check_loads(untested_fit(net, s.survey).at, 1.0);
-    const double information = 1.0 / (check.std * check.std);
+    const double information = 1.0 / (check.std_dev * check.std_dev);
     const auto least = [&](double force) {
         const CableNet loaded = with_load(net, force);
         const SurveyFit fit = untested_fit(loaded, s.survey);
         return fit.at.model().objective(fit.observations, fit.at.iterate);
     };
-    const double h = 0.5 * check.std;
+    const double h = 0.5 * check.std_dev;
     const double slope = (least(h) - least(-h)) / (2.0 * h);
     const double curvature = (least(h) - 2.0 * least(0.0) + least(-h)) / (h * h);
-    EXPECT_NEAR(-slope / information, check.force, 0.02 * check.std);
+    EXPECT_NEAR(-slope / information, check.force, 0.02 * check.std_dev);
     EXPECT_NEAR(curvature, information, 0.05 * information);
 }
 

@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::refuse_or_read([&] {
         for (const ForceMeasurement& measurement :
              parse_force_measurements(net, text, "forces.csv")) {
-            fuzz::require(measurement.tension >= 0.0 && measurement.std > 0.0);
+            fuzz::require(measurement.tension >= 0.0 && measurement.std_dev > 0.0);
         }
     });
     fuzz::refuse_or_read([&] {

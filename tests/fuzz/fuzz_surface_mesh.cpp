@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "fuzz.hpp"
-#include "taut/interchange/surface_mesh.hpp"
+#include "interchange/surface_mesh.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace taut;

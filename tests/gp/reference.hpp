@@ -18,8 +18,8 @@ namespace taut::test {
 struct ReferenceProcess {
     gp::Hyperparameters hyperparameters;
     double negative_log_likelihood;
-    Eigen::VectorXd mean;  ///< at the test inputs
-    Eigen::VectorXd std;   ///< of the latent function
+    Eigen::VectorXd mean;     ///< at the test inputs
+    Eigen::VectorXd std_dev;  ///< of the latent function
 };
 
 struct ReferenceData {
@@ -50,7 +50,7 @@ inline std::vector<ReferenceData> reference_data() {
                                      .noise_std = process.at("noise_std")},
                  .negative_log_likelihood = process.at("negative_log_likelihood"),
                  .mean = vector_of(process.at("mean")),
-                 .std = vector_of(process.at("std"))});
+                 .std_dev = vector_of(process.at("std"))});
         }
         result.push_back(std::move(data));
     }

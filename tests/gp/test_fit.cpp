@@ -96,8 +96,9 @@ TEST(Fit, IsThatOfScikitLearnInWhatTheLikelihoodDetermines) {
                 EXPECT_NEAR(std::log(ours.noise_std / theirs.noise_std), 0.0, 0.01);
             }
             for (Eigen::Index k = 0; k < reference.mean.size(); ++k) {
-                EXPECT_NEAR(prediction.mean(0, k), reference.mean(k), 0.02 * reference.std(k));
-                EXPECT_NEAR(prediction.std(0, k), reference.std(k), 0.02 * reference.std(k));
+                EXPECT_NEAR(prediction.mean(0, k), reference.mean(k), 0.02 * reference.std_dev(k));
+                EXPECT_NEAR(prediction.std_dev(0, k), reference.std_dev(k),
+                            0.02 * reference.std_dev(k));
             }
         }
     }
@@ -162,10 +163,10 @@ TEST(Fit, MarksOutputsThatCannotBeFittedAndFitsTheOthersAsIfThoseWereNotThere) {
     const Prediction prediction = all.predict(at);
     const Prediction of_alone = alone.predict(at);
     EXPECT_TRUE(prediction.mean(good, Eigen::all).isApprox(of_alone.mean, 1e-12));
-    EXPECT_TRUE(prediction.std(good, Eigen::all).isApprox(of_alone.std, 1e-12));
+    EXPECT_TRUE(prediction.std_dev(good, Eigen::all).isApprox(of_alone.std_dev, 1e-12));
     for (const Eigen::Index j : {1, 2, 4}) {
         EXPECT_TRUE(prediction.mean.row(j).isZero(0.0));
-        EXPECT_TRUE(prediction.std.row(j).isZero(0.0));
+        EXPECT_TRUE(prediction.std_dev.row(j).isZero(0.0));
     }
 }
 
@@ -226,9 +227,9 @@ TEST(Fit, TakesNoiseForNoise) {
     for (Eigen::Index j = 0; j < 3; ++j) {
         // With a very short length scale, signal is noise by another name.
         const Process& process = fitted.processes[j];
-        const Eigen::ArrayXd std = prediction.std.row(j).transpose();
+        const Eigen::ArrayXd std_dev = prediction.std_dev.row(j).transpose();
         const double noise = process.hyperparameters.noise_std;
-        EXPECT_NEAR((std.square() + noise * noise).sqrt().mean(), 1.0, 0.15);
+        EXPECT_NEAR((std_dev.square() + noise * noise).sqrt().mean(), 1.0, 0.15);
         EXPECT_NEAR(process.leave_one_out_rmse, 1.0, 0.15);
     }
     EXPECT_LT(prediction.mean.cwiseAbs().maxCoeff(), 0.5);

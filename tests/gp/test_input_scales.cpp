@@ -3,7 +3,7 @@
 //
 // Guards against scales that are not the likeliest, by a wrong gradient, and against groups mixed
 // up.
-#include "taut/gp/input_scales.hpp"
+#include "gp/input_scales.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gp/likelihood_profile.hpp"
 #include "support/finite_differences.hpp"
 #include "support/textbook.hpp"
 #include "taut/gp/fit.hpp"

@@ -5,6 +5,7 @@
 // narrow valley between two points, say), that creeps towards it, or that spends what all outputs
 // share where none of them gains.
 #include "gp/length_scale_search.hpp"
+#include "gp/likelihood_profile.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

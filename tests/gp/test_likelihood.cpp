@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gp/likelihood_profile.hpp"
 #include "support/textbook.hpp"
 
 namespace taut::gp {

@@ -91,7 +91,7 @@ TEST_F(LowRank, IsNeverSurerThanTheExactOneOfItsHyperparameters) {
         for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
             const auto exact = test::textbook_prediction(m_inputs, m_outputs.col(j),
                                                          fitted.processes[j].hyperparameters, m_at);
-            const Eigen::VectorXd surer = exact.std - found.std.row(j).transpose();
+            const Eigen::VectorXd surer = exact.std_dev - found.std_dev.row(j).transpose();
             EXPECT_LT(surer.maxCoeff(), 1e-7) << rank << ' ' << j;
         }
     }
@@ -107,8 +107,8 @@ TEST_F(LowRank, IsNotSureOfWhatItDoesNotKnowWhereThereIsNoNoise) {
     settings.noise_ratio.reset();
     const Prediction found = fit(inputs, truth(inputs), settings).predict(at);
     const Eigen::VectorXd off = (found.mean.transpose() - truth(at)).cwiseAbs();
-    EXPECT_LT(off.cwiseQuotient(found.std.transpose()).maxCoeff(), 5.0);
-    EXPECT_LT(found.std.maxCoeff(), 1e-5);
+    EXPECT_LT(off.cwiseQuotient(found.std_dev.transpose()).maxCoeff(), 5.0);
+    EXPECT_LT(found.std_dev.maxCoeff(), 1e-5);
 }
 
 /// Inputs in pairs, each far from all others, and the directions of their correlation.
@@ -135,12 +135,12 @@ FittedProcesses pairs_of_inputs(double eigenvalue) {
 
 TEST(LowRankVariance, IsNotThatOfThePriorWhereRoundingMakesItNegative) {
     const FittedProcesses fitted = pairs_of_inputs(2.0);
-    EXPECT_LT(fitted.predict(fitted.inputs).std.maxCoeff(), 1e-3);
+    EXPECT_LT(fitted.predict(fitted.inputs).std_dev.maxCoeff(), 1e-3);
 }
 
 TEST(LowRankVariance, IsThatOfThePriorWhereDirectionsExplainMoreThanThereIs) {
     const FittedProcesses fitted = pairs_of_inputs(1.9);
-    EXPECT_EQ(fitted.predict(fitted.inputs).std.minCoeff(), 2.0);
+    EXPECT_EQ(fitted.predict(fitted.inputs).std_dev.minCoeff(), 2.0);
 }
 
 TEST_F(LowRank, HasTheLeaveOneOutErrorOfInputsThatStandAlone) {
@@ -171,7 +171,7 @@ TEST_F(LowRank, TakesInputsOfWhichManyAreTheSame) {
     m_inputs.col(200) = Eigen::Vector3d::Ones();
     const Prediction found = fit(m_inputs, some_outputs(m_inputs), low_rank(200, 50)).predict(m_at);
     EXPECT_TRUE(found.mean.allFinite());
-    EXPECT_TRUE(found.std.allFinite());
+    EXPECT_TRUE(found.std_dev.allFinite());
 }
 
 TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItReports) {
@@ -219,7 +219,7 @@ TEST_F(LowRank, MarksAConstantOutputAndTakesOneThatIsConstantOnAPart) {
     EXPECT_EQ(fitted.processes[2].status, FitStatus::fitted);
     EXPECT_TRUE(fitted.predict(m_at).mean.allFinite());
     m_outputs(Eigen::all, {0, 3}) = m_outputs(Eigen::all, {2, 2}).eval();
-    EXPECT_TRUE(fit(m_inputs, m_outputs, low_rank(200, 50)).predict(m_at).std.allFinite());
+    EXPECT_TRUE(fit(m_inputs, m_outputs, low_rank(200, 50)).predict(m_at).std_dev.allFinite());
 }
 
 TEST_F(LowRank, GivesUpWhereAStopIsRequestedAfterTheSearch) {

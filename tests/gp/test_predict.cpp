@@ -74,7 +74,8 @@ TEST(Predict, IsTheDenseFormulaForEveryOutputOfAFit) {
                                                         fitted.processes[j].hyperparameters, at);
         EXPECT_LT((prediction.mean.row(j).transpose() - expected.mean).cwiseAbs().maxCoeff(), 1e-7)
             << j;
-        EXPECT_LT((prediction.std.row(j).transpose() - expected.std).cwiseAbs().maxCoeff(), 1e-7)
+        EXPECT_LT((prediction.std_dev.row(j).transpose() - expected.std_dev).cwiseAbs().maxCoeff(),
+                  1e-7)
             << j;
     }
 }
@@ -93,7 +94,8 @@ RC_GTEST_PROP(Predict, IsTheDenseFormulaForAnyHyperparameters, ()) {
     const Prediction prediction = conditioned(inputs, output, theta).predict(at);
     const auto expected = test::textbook_prediction(inputs, output, theta, at);
     RC_ASSERT((prediction.mean.transpose() - expected.mean).cwiseAbs().maxCoeff() < 1e-8);
-    RC_ASSERT((prediction.std.transpose() - expected.std).cwiseAbs().maxCoeff() < 1e-8 * signal);
+    RC_ASSERT((prediction.std_dev.transpose() - expected.std_dev).cwiseAbs().maxCoeff() <
+              1e-8 * signal);
 }
 
 TEST(Predict, KnowsNothingFarFromTheTrainingInputs) {
@@ -102,7 +104,7 @@ TEST(Predict, KnowsNothingFarFromTheTrainingInputs) {
     const Prediction prediction = fitted.predict(Eigen::Vector3d::Constant(1e6));
     for (Eigen::Index j = 0; j < prediction.mean.rows(); ++j) {
         EXPECT_NEAR(prediction.mean(j, 0), 0.0, 1e-300);
-        EXPECT_DOUBLE_EQ(prediction.std(j, 0), fitted.processes[j].hyperparameters.signal_std);
+        EXPECT_DOUBLE_EQ(prediction.std_dev(j, 0), fitted.processes[j].hyperparameters.signal_std);
     }
 }
 
@@ -112,7 +114,7 @@ TEST(Predict, OfNoInputsIsEmptyAndRefusesBadOnes) {
     const Prediction prediction = fitted.predict(Eigen::MatrixXd(3, 0));
     EXPECT_EQ(prediction.mean.rows(), 5);
     EXPECT_EQ(prediction.mean.cols(), 0);
-    EXPECT_EQ(prediction.std.cols(), 0);
+    EXPECT_EQ(prediction.std_dev.cols(), 0);
     EXPECT_THROW((void)fitted.predict(normal_matrix(2, 4, 1)), std::invalid_argument);
     for (const double value :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

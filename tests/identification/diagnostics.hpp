@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 
@@ -30,13 +31,14 @@ inline const CableNet& net() {
 
 inline Identification identified(const Survey& survey, std::optional<LengthPrior> given,
                                  IdentificationMethod method = IdentificationMethod::map) {
-    return identify(net(), survey, {.method = method, .prior = given});
+    return test::identify_lengths(net(), survey, {.method = method, .prior = given});
 }
 
 /// With all that taut assumes on a site, without draws.
 inline Identification identified_on_site(const CableNet& of, const Survey& survey,
                                          std::optional<LengthPrior> given, int draws = 0) {
-    return identify(of, survey, {.prior = given, .assume_site = true, .draws = draws});
+    return test::identify_lengths(of, survey,
+                                  {.prior = given, .assume_site = true, .draws = draws});
 }
 
 inline SimulatedSurvey survey_of(const CableNet& of, const LengthPrior& truth, std::uint64_t seed) {

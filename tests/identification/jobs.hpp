@@ -34,7 +34,7 @@ inline std::vector<EdgeTurned> some_turns(std::uint64_t seed, double actuator_st
     for (const int edge : net().adjustable_edges()) {
         if (random() % 2 == 0) {
             const double stroke = std::uniform_real_distribution<double>(-8e-3, 8e-3)(random);
-            turned.push_back({.edge = edge, .stroke = stroke, .std = actuator_std});
+            turned.push_back({.edge = edge, .stroke = stroke, .std_dev = actuator_std});
         }
     }
     return turned;

@@ -27,12 +27,13 @@ struct SimulatedSurvey {
 };
 
 /// Adds independent errors to the places of some nodes.
-inline void add_noise(Points& form, const std::vector<int>& nodes, double std, std::uint64_t seed) {
+inline void add_noise(Points& form, const std::vector<int>& nodes, double std_dev,
+                      std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     for (const int node : nodes) {
         for (double& coordinate : form.col(node)) {
-            coordinate += std * normal(random);
+            coordinate += std_dev * normal(random);
         }
     }
 }
@@ -65,7 +66,7 @@ inline Survey surveyed_again(const CableNet& net, const SimulatedSurvey& first, 
 
 /// T of all edges of the net as built [N].
 inline Eigen::VectorXd true_tensions(const CableNet& net, const SimulatedSurvey& s) {
-    return tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+    return tensions_of(net, with_length_deviations(net, s.deviations), s.truth.form);
 }
 
 /// A third of the supports give way by a millimetre or two under the net.

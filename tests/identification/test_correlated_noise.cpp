@@ -10,9 +10,10 @@
 #include <Eigen/Geometry>
 
 #include "simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
+#include "survey/covariance.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -42,12 +43,12 @@ protected:
         m_turned = m_survey;
         m_turned.form = R * m_survey.form;
         for (const int node : m_net.free_nodes()) {
-            m_turned.noise_std.col(node) = of_support.std;
+            m_turned.noise_std.col(node) = of_support.std_dev;
             m_turned.set_correlations(node, of_support.correlations);
         }
         for (SurveyedSupport& support : m_turned.supports) {
             support.position = R * support.position;
-            support.noise_std = of_support.std;
+            support.noise_std = of_support.std_dev;
             support.noise_correlations = of_support.correlations;
         }
     }
@@ -57,7 +58,8 @@ protected:
     /// Both ways, each with its net.
     [[nodiscard]] std::pair<Identification, Identification> both(
         const IdentifyOptions& options) const {
-        return {identify(m_net, m_survey, options), identify(m_turned_net, m_turned, options)};
+        return {test::identify_lengths(m_net, m_survey, options),
+                test::identify_lengths(m_turned_net, m_turned, options)};
     }
 
     void expect_the_same_lengths(const IdentifyOptions& options, double tolerance) const {
@@ -67,7 +69,7 @@ protected:
             const IdentifiedEdge& a = straight.edges[i];
             const IdentifiedEdge& b = turned.edges[i];
             EXPECT_NEAR(a.length_deviation, b.length_deviation, tolerance) << i;
-            EXPECT_NEAR(a.std, b.std, tolerance) << i;
+            EXPECT_NEAR(a.std_dev, b.std_dev, tolerance) << i;
         }
         EXPECT_NEAR(straight.noise_ratio, turned.noise_ratio, 1e3 * tolerance);
         EXPECT_NEAR(straight.scales.noise.ratio, turned.scales.noise.ratio, 1e3 * tolerance);

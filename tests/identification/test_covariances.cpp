@@ -11,6 +11,7 @@
 
 #include "identification/simulated_survey.hpp"
 #include "support/dense_posterior.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/statics/form_sensitivity.hpp"
@@ -43,7 +44,7 @@ protected:
 TEST_F(LengthCovariances, AreThoseOfTheLinearModelOfFormAndLengths) {
     test::hide(m_net, m_site.survey, m_net.free_nodes()[4]);
     m_options.covariance_of = m_net.interior_edges();
-    const Identification found = identify(m_net, m_site.survey, m_options);
+    const Identification found = test::identify_lengths(m_net, m_site.survey, m_options);
     ASSERT_EQ(found.status, IdentificationStatus::converged);
     ASSERT_TRUE(found.length_covariance);
     EXPECT_EQ(found.length_covariance->edges, m_net.interior_edges());
@@ -62,11 +63,11 @@ TEST_F(LengthCovariances, HaveTheReportedVariancesInTheOrderAskedFor) {
     m_options.prior = LengthPrior{LengthPrior::Kind::uniform, 0.001};
     const std::vector<int>& interior = m_net.interior_edges();
     m_options.covariance_of = {interior[7], interior[2]};
-    const Identification found = identify(m_net, m_site.survey, m_options);
+    const Identification found = test::identify_lengths(m_net, m_site.survey, m_options);
     ASSERT_TRUE(found.length_covariance);
     const Eigen::MatrixXd& covariance = found.length_covariance->covariance;
-    EXPECT_NEAR(std::sqrt(covariance(0, 0)), found.edges[7].std, 1e-12);
-    EXPECT_NEAR(std::sqrt(covariance(1, 1)), found.edges[2].std, 1e-12);
+    EXPECT_NEAR(std::sqrt(covariance(0, 0)), found.edges[7].std_dev, 1e-12);
+    EXPECT_NEAR(std::sqrt(covariance(1, 1)), found.edges[2].std_dev, 1e-12);
     EXPECT_EQ(covariance(0, 1), covariance(1, 0));
 }
 
@@ -76,11 +77,13 @@ TEST_F(LengthCovariances, AreRefusedOfOtherEdgesAndMethods) {
     for (const std::vector<int>& edges :
          {std::vector{adjustable}, {-1}, {m_net.edge_count()}, {interior, interior}}) {
         m_options.covariance_of = edges;
-        EXPECT_THROW((void)identify(m_net, m_site.survey, m_options), std::invalid_argument);
+        EXPECT_THROW((void)test::identify_lengths(m_net, m_site.survey, m_options),
+                     std::invalid_argument);
     }
     m_options.covariance_of = {interior};
     m_options.method = IdentificationMethod::balance;
-    EXPECT_THROW((void)identify(m_net, m_site.survey, m_options), std::invalid_argument);
+    EXPECT_THROW((void)test::identify_lengths(m_net, m_site.survey, m_options),
+                 std::invalid_argument);
 }
 
 class FormCovariances : public ::testing::Test {
@@ -103,7 +106,7 @@ double largest_std(const Eigen::Matrix3d& covariance) {
 }
 
 TEST_F(FormCovariances, AreThoseOfTheLinearModelOfFormAndLengthsWithoutSamples) {
-    const Identification found = identify(m_net, m_site.survey, m_options);
+    const Identification found = test::identify_lengths(m_net, m_site.survey, m_options);
     ASSERT_EQ(found.form_covariance.size(), static_cast<size_t>(m_net.node_count()));
 
     const Eigen::VectorXd lengths = with_length_deviations(m_net, test::estimates(found));
@@ -126,11 +129,11 @@ TEST_F(FormCovariances, AreThoseOfTheLinearModelOfFormAndLengthsWithoutSamples) 
 }
 
 TEST_F(FormCovariances, AreThoseOfTheSamplesWhereThereAreEnough) {
-    const Identification linearised = identify(m_net, m_site.survey, m_options);
+    const Identification linearised = test::identify_lengths(m_net, m_site.survey, m_options);
     m_options.draws = 20;
-    const Identification few = identify(m_net, m_site.survey, m_options);
+    const Identification few = test::identify_lengths(m_net, m_site.survey, m_options);
     m_options.draws = 300;
-    const Identification many = identify(m_net, m_site.survey, m_options);
+    const Identification many = test::identify_lengths(m_net, m_site.survey, m_options);
     ASSERT_TRUE(many.draws && many.draws->reason.empty());
     for (int i = 0; i < m_net.free_node_count(); ++i) {
         const int node = m_net.free_nodes()[i];
@@ -145,18 +148,18 @@ TEST_F(FormCovariances, AreThoseOfTheSamplesWhereThereAreEnough) {
     }
     const DrawnPlace& place = many.drawn.missing.front();
     EXPECT_EQ(place.node, m_hidden);
-    EXPECT_LT((many.form_covariance[m_hidden].diagonal().cwiseSqrt() - place.std).norm(), 1e-9);
+    EXPECT_LT((many.form_covariance[m_hidden].diagonal().cwiseSqrt() - place.std_dev).norm(), 1e-9);
 }
 
 TEST_F(FormCovariances, HaveSupportsThatAreUncertainOrInAFrameThatIs) {
     const int support = m_net.supports().front();
     m_options.uncertain = {parse_uncertain_parameter("supports:1mm")};
-    const Identification uncertain = identify(m_net, m_site.survey, m_options);
+    const Identification uncertain = test::identify_lengths(m_net, m_site.survey, m_options);
     EXPECT_GT(largest_std(uncertain.form_covariance[support]), 0.1e-3);
     EXPECT_LT(largest_std(uncertain.form_covariance[support]), 1.3e-3);
     m_options.uncertain = {};
     m_site.survey.frame_is_unknown = true;
-    const Identification moved = identify(m_net, m_site.survey, m_options);
+    const Identification moved = test::identify_lengths(m_net, m_site.survey, m_options);
     EXPECT_GT(largest_std(moved.form_covariance[support]), 0.01 * noise);
     EXPECT_LT(largest_std(moved.form_covariance[support]), 2.0 * noise);
 }
@@ -164,7 +167,7 @@ TEST_F(FormCovariances, HaveSupportsThatAreUncertainOrInAFrameThatIs) {
 TEST_F(FormCovariances, OfAMixtureOfPriorsAreNoLessThanOfItsParts) {
     m_options.prior_exact = false;
     m_options.prior.reset();
-    const Identification found = identify(m_net, m_site.survey, m_options);
+    const Identification found = test::identify_lengths(m_net, m_site.survey, m_options);
     ASSERT_GT(found.prior.nodes.size(), 1U);
     ASSERT_EQ(found.form_covariance.size(), static_cast<size_t>(m_net.node_count()));
     for (const int node : m_net.free_nodes()) {
@@ -177,7 +180,7 @@ TEST_F(FormCovariances, OfAMixtureOfPriorsAreNoLessThanOfItsParts) {
 TEST_F(FormCovariances, AreNotReportedOfMethodsThatHaveNone) {
     m_options.method = IdentificationMethod::balance;
     const test::SimulatedSurvey whole = test::simulate(m_net, normal_prior, 0.0, 3);
-    EXPECT_TRUE(identify(m_net, whole.survey, m_options).form_covariance.empty());
+    EXPECT_TRUE(test::identify_lengths(m_net, whole.survey, m_options).form_covariance.empty());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "identification/diagnostics.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/net/cable_runs.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -28,13 +29,13 @@ TEST(Diagnostics, NamesMisCutCablesAndIdentifiesThemByTheSurveyAlone) {
         std::set<int> named;
         for (const LengthOutlier& edge : result.length_outliers) {
             named.insert(edge.edge);
-            EXPECT_NEAR(edge.deviation, 0.015, 5.0 * edge.std);
+            EXPECT_NEAR(edge.deviation, 0.015, 5.0 * edge.std_dev);
         }
         std::set<int> expected;
         for (const int i : mis_cut) {
             expected.insert(net().interior_edges()[i]);
             EXPECT_TRUE(holds(result.edges[i], 0.015)) << i;
-            EXPECT_GT(result.edges[i].std, 1e-4);
+            EXPECT_GT(result.edges[i].std_dev, 1e-4);
         }
         EXPECT_EQ(named, expected);
         EXPECT_TRUE(result.outliers.empty());
@@ -44,7 +45,7 @@ TEST(Diagnostics, NamesMisCutCablesAndIdentifiesThemByTheSurveyAlone) {
         }
         for (const Trust::Finding& finding : result.trust.findings) {
             EXPECT_EQ(finding_kind(to_string(finding.kind)), finding.kind);
-            EXPECT_NEAR(finding.value.value(), 0.015, 5.0 * finding.std.value());
+            EXPECT_NEAR(finding.value.value(), 0.015, 5.0 * finding.std_dev.value());
         }
         EXPECT_GT(coverage(result, s.deviations), 0.9);
     }
@@ -62,7 +63,7 @@ TEST(Diagnostics, NamesMisCutCablesThatHangSlack) {
             const int edge = saddle.interior_edges()[i];
             for (const auto method : {IdentificationMethod::map, IdentificationMethod::balance}) {
                 const Identification result =
-                    identify(saddle, s.survey, {.method = method, .prior = prior});
+                    test::identify_lengths(saddle, s.survey, {.method = method, .prior = prior});
                 EXPECT_TRUE(finds(result, Kind::length, {saddle.edge_id(edge)}))
                     << off << " " << seed;
                 ASSERT_FALSE(result.length_outliers.empty());
@@ -119,8 +120,8 @@ TEST(Diagnostics, NamesClampsThatSlipped) {
                 deviations(place_of(saddle, longer)) += 0.010;
                 deviations(place_of(saddle, shorter)) -= 0.010;
             });
-        const Identification result =
-            identify(saddle, s.survey, {.method = IdentificationMethod::map, .prior = narrow});
+        const Identification result = test::identify_lengths(
+            saddle, s.survey, {.method = IdentificationMethod::map, .prior = narrow});
         EXPECT_TRUE(names_both(result, longer, shorter)) << seed;
         EXPECT_EQ(result.length_outliers.size(), 2u) << seed;
         EXPECT_EQ(result.trust.verdict(), Verdict::doubtful);
@@ -142,8 +143,8 @@ TEST(Diagnostics, DoesNotTakeAWrongTargetForAClamp) {
         const auto [a, b] = saddle.edges()[one];
         const Eigen::Vector3d along = (saddle.nodes().col(a) - saddle.nodes().col(b)).normalized();
         s.survey.form.col(node) += 0.008 * along;
-        const Identification result =
-            identify(saddle, s.survey, {.method = IdentificationMethod::map, .prior = narrow});
+        const Identification result = test::identify_lengths(
+            saddle, s.survey, {.method = IdentificationMethod::map, .prior = narrow});
         ASSERT_EQ(result.outliers.size(), 1u) << seed;
         EXPECT_EQ(result.outliers[0].node, node);
         EXPECT_GT(result.outliers[0].statistic, result.outlier_threshold);
@@ -262,7 +263,7 @@ TEST(Diagnostics, PassesHeavyCablesWithTheirSagAndNamesThoseWithout) {
     EXPECT_FALSE(result.drawn.tensions.empty());
     EXPECT_GT(coverage(result, s.deviations), 0.85);
     EXPECT_TRUE(std::ranges::any_of(result.assumptions, [](const Assumption& one) {
-        return one.parameter.to_string() == "mass:3%";
+        return to_string(one.parameter) == "mass:3%";
     }));
 
     CableNetData straight = given.data();
@@ -285,7 +286,7 @@ TEST(Diagnostics, KnowTensionsByTheWeightNoBetterThanTheMass) {
         std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
                           [](const ParameterEstimate& one) { return one.parameter.kind; });
     ASSERT_NE(mass, result.uncertain.end());
-    EXPECT_GT(mass->std, 0.8 * mass->prior_std);
+    EXPECT_GT(mass->std_dev, 0.8 * mass->prior_std);
 }
 
 /// Nor do frequencies: those of a heavier cable under more tension are the same.
@@ -297,21 +298,21 @@ TEST(Diagnostics, KnowTheMassNoBetterByFrequencies) {
     const CableNet heavier(data);
     const SimulatedSurvey built = heavy_survey(heavier);
     const Eigen::VectorXd truth =
-        tensions(heavier, built.truth.unstressed_lengths, built.truth.form);
+        tensions_of(heavier, built.truth.unstressed_lengths, built.truth.form);
     IdentifyOptions options{.prior = heavy_tolerance, .assume_site = true, .draws = 0};
     for (const int edge : {3, 7, 12, 20}) {
         const double tension = truth(edge) / 1.05;
         options.forces.measurements.push_back({.edge = edge,
                                                .tension = tension,
-                                               .std = 0.01 * tension,
+                                               .std_dev = 0.01 * tension,
                                                .source = ForceSource::frequency});
     }
-    const Identification result = identify(given, built.survey, options);
+    const Identification result = test::identify_lengths(given, built.survey, options);
     const auto mass =
         std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
                           [](const ParameterEstimate& one) { return one.parameter.kind; });
     ASSERT_NE(mass, result.uncertain.end());
-    EXPECT_GT(mass->std, 0.8 * mass->prior_std);
+    EXPECT_GT(mass->std_dev, 0.8 * mass->prior_std);
     EXPECT_EQ(result.trust.verdict(), Verdict::passed);
 }
 
@@ -332,15 +333,15 @@ TEST(Diagnostics, KnowTheMassNoBetterByTwoSurveys) {
     const CableNet under_load(data);
     loaded.survey = surveyed_again(under_load, heavy_survey(under_load), 0.3e-3, 4);
     const std::vector<Epoch> epochs{{.survey = first.survey, .turned = {}}, loaded};
-    const Identification result =
-        identify_epochs(given, epochs, {.prior = heavy_tolerance, .assume_site = true, .draws = 0});
+    const Identification result = test::identify_lengths(
+        given, epochs, {.prior = heavy_tolerance, .assume_site = true, .draws = 0});
     EXPECT_EQ(result.trust.verdict(), Verdict::passed);
     const auto mass =
         std::ranges::find(result.uncertain, UncertainParameter::Kind::mass,
                           [](const ParameterEstimate& one) { return one.parameter.kind; });
     ASSERT_NE(mass, result.uncertain.end());
-    EXPECT_GT(mass->std, 0.5 * mass->prior_std);
-    EXPECT_NEAR(mass->mean, 0.05, 2.0 * mass->std);
+    EXPECT_GT(mass->std_dev, 0.5 * mass->prior_std);
+    EXPECT_NEAR(mass->mean, 0.05, 2.0 * mass->std_dev);
 }
 
 /// What is estimated makes one net, and its form is that of the survey.
@@ -385,7 +386,7 @@ TEST(Diagnostics, PassesANetDrawnWithoutOneOfItsLoads) {
     data.loads(2, node) -= 1500.0;
     const CableNet loaded(std::move(data));
     const SimulatedSurvey s = survey_of(loaded, prior, 1);
-    const Identification result = identify(loaded, s.survey, {.prior = prior});
+    const Identification result = test::identify_lengths(loaded, s.survey, {.prior = prior});
     EXPECT_EQ(result.trust.verdict(), Verdict::passed) << result.trust.findings[0].reason;
     EXPECT_TRUE(finds(result, Kind::net_balance, {loaded.node_id(node)}));
 }
@@ -398,7 +399,8 @@ TEST(Diagnostics, FindsErrorsOfTheSizeThatItNames) {
     const IdentifyOptions options{
         .method = IdentificationMethod::map, .prior = prior, .prior_exact = true};
     const DetectableErrors sizes =
-        identify(saddle, simulate(saddle, prior, noise, 1).survey, options).detectable;
+        test::identify_lengths(saddle, simulate(saddle, prior, noise, 1).survey, options)
+            .detectable;
     int targets = 0;
     int turnbuckles = 0;
     std::mt19937_64 random(5);
@@ -408,12 +410,13 @@ TEST(Diagnostics, FindsErrorsOfTheSizeThatItNames) {
         const int node = s.survey.surveyed[random() % s.survey.surveyed.size()];
         const Eigen::Vector3d direction(normal(random), normal(random), normal(random));
         s.survey.form.col(node) += sizes.target * direction.normalized();
-        targets += identify(saddle, s.survey, options).trust.findings.empty() ? 0 : 1;
+        targets += test::identify_lengths(saddle, s.survey, options).trust.findings.empty() ? 0 : 1;
         CableNetData data = saddle.data();
         const std::vector<int>& adjustable = saddle.adjustable_edges();
         data.unstressed_lengths(adjustable[random() % adjustable.size()]) += sizes.adjustable;
         const SimulatedSurvey turned = simulate(CableNet(data), prior, noise, seed);
-        turnbuckles += identify(saddle, turned.survey, options).trust.findings.empty() ? 0 : 1;
+        turnbuckles +=
+            test::identify_lengths(saddle, turned.survey, options).trust.findings.empty() ? 0 : 1;
     }
     // 48 of 60, and three standard deviations of that.
     EXPECT_NEAR(targets, 0.8 * surveys, 9.3);
@@ -432,7 +435,7 @@ TEST(Diagnostics, OfATurnbuckleOrASupportNamesIt) {
         const BoundaryOutlier& found = result.boundary_outliers[0];
         EXPECT_EQ(found.kind, BoundaryOutlier::Kind::adjustable_edge);
         EXPECT_EQ(found.index, edge);
-        EXPECT_NEAR(found.deviation.x(), 0.008, 4.0 * found.std.x());
+        EXPECT_NEAR(found.deviation.x(), 0.008, 4.0 * found.std_dev.x());
         // Force balance is blind to the boundary by itself.
         EXPECT_TRUE(result.outliers.empty() || method == IdentificationMethod::balance);
         EXPECT_TRUE(result.length_outliers.empty());
@@ -454,8 +457,8 @@ TEST(Diagnostics, OfAMuchTooShortCableNamesItAlone) {
         CableNetData data = saddle.data();
         data.unstressed_lengths(edge) -= 0.015;
         const SimulatedSurvey s = survey_of(CableNet(data), narrow, 2);
-        const Identification result =
-            identify(saddle, s.survey, {.prior = narrow, .assume_site = assume_site, .draws = 0});
+        const Identification result = test::identify_lengths(
+            saddle, s.survey, {.prior = narrow, .assume_site = assume_site, .draws = 0});
         ASSERT_EQ(result.boundary_outliers.size(), 1U) << edge;
         EXPECT_EQ(result.boundary_outliers[0].index, edge);
         EXPECT_NEAR(result.boundary_outliers[0].deviation.x(), -0.015, 3e-3);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "identification/diagnostics.hpp"
+#include "support/identify_lengths.hpp"
 
 namespace of_diagnostics {
 
@@ -19,8 +20,8 @@ TEST(Diagnostics, PassesWhatIsTrue) {
         const Identification result = identified(s.survey, prior);
         EXPECT_EQ(result.trust.verdict(), Verdict::passed) << result.trust.findings[0].reason;
         EXPECT_TRUE(result.length_outliers.empty());
-        EXPECT_NEAR(result.scales.noise.ratio, 1.0, 4.0 * result.scales.noise.std);
-        EXPECT_NEAR(result.scales.lengths.ratio, 1.0, 4.0 * result.scales.lengths.std);
+        EXPECT_NEAR(result.scales.noise.ratio, 1.0, 4.0 * result.scales.noise.std_dev);
+        EXPECT_NEAR(result.scales.lengths.ratio, 1.0, 4.0 * result.scales.lengths.std_dev);
         EXPECT_GT(coverage(result, s.deviations), 0.9);
     }
 }
@@ -66,7 +67,7 @@ TEST(Diagnostics, OfAPriorThatIsTooNarrowOrOfAnotherShapeNamesIt) {
     for (const LengthPrior& truth : {normal, wide}) {
         const SimulatedSurvey s = survey_of(net(), truth, 7);
         const Identification found = identified(s.survey, prior);
-        EXPECT_NE(found.trust.verdict(), Verdict::passed) << truth.to_string();
+        EXPECT_NE(found.trust.verdict(), Verdict::passed) << to_string(truth);
         EXPECT_TRUE(says(found, "uniform:5mm"));
         ASSERT_TRUE(found.contradicted_prior.has_value());
         EXPECT_EQ(found.contradicted_prior->checked, prior);
@@ -100,9 +101,9 @@ TEST(Diagnostics, OfAPriorThatIsTooWideIsNone) {
     EXPECT_FALSE(found.contradicted_prior.has_value());
     EXPECT_EQ(found.trust.verdict(), Verdict::passed);
     EXPECT_GT(coverage(found, s.deviations), 0.93);
-    const Identification exact =
-        identify(net(), s.survey,
-                 {.method = IdentificationMethod::map, .prior = prior, .prior_exact = true});
+    const Identification exact = test::identify_lengths(
+        net(), s.survey,
+        {.method = IdentificationMethod::map, .prior = prior, .prior_exact = true});
     EXPECT_TRUE(exact.prior.exact);
     EXPECT_EQ(exact.length_prior, prior);
     EXPECT_NE(exact.trust.verdict(), Verdict::passed);
@@ -126,7 +127,7 @@ TEST(Diagnostics, OfATargetFarOffSaysWhatElseItMayBe) {
     ASSERT_EQ(result.outliers.size(), 1U);
     EXPECT_THAT(result.trust.findings,
                 testing::Contains(testing::Field(
-                    &Trust::Finding::next,
+                    &Trust::Finding::advice,
                     testing::HasSubstr("A cable, turnbuckle, support or load at it"))));
 }
 
@@ -150,8 +151,8 @@ TEST(Diagnostics, OfManyEdgesKeepWhatTheyShare) {
     hung.loads = Points::Zero(3, hung.nodes.cols());
     hung.loads.row(2).setConstant(-50.0);
     const LoadCheck of_loads = found(CableNet(hung), 1).load_check;
-    EXPECT_GT(of_loads.std, 0.0);
-    EXPECT_LT(std::abs(of_loads.force), 2.0 * of_loads.std);
+    EXPECT_GT(of_loads.std_dev, 0.0);
+    EXPECT_LT(std::abs(of_loads.force), 2.0 * of_loads.std_dev);
 }
 
 // Some 100 steps to the fit where many edges may be slack.
@@ -210,7 +211,7 @@ TEST(Diagnostics, FindsThePriorWhereNoneIsGiven) {
     const Identification found = identified(s.survey, std::nullopt);
     EXPECT_FALSE(found.contradicted_prior.has_value());
     EXPECT_EQ(found.length_prior.kind, truth.kind);
-    EXPECT_NEAR(found.prior.std, truth.std(), 4.0 * found.prior.std_std);
+    EXPECT_NEAR(found.prior.std_dev, truth.std_dev(), 4.0 * found.prior.std_std);
     EXPECT_LT(found.prior.uniform_probability, 0.01);
     EXPECT_GT(coverage(found, s.deviations), 0.92);
     const Identification same = identified(survey_of(net(), prior, 8).survey, std::nullopt);
@@ -226,7 +227,8 @@ TEST(Diagnostics, OfFewLengthsTheirPriorIsInTheirIntervals) {
         double sum = 0.0;
         for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
             const SimulatedSurvey s = simulate(small, truth, noise, seed);
-            sum += coverage(identify(small, s.survey, options), s.deviations) / surveys;
+            sum +=
+                coverage(test::identify_lengths(small, s.survey, options), s.deviations) / surveys;
         }
         return sum;
     };
@@ -242,10 +244,11 @@ TEST(Diagnostics, OfAPriorFarTooNarrowNameItFirst) {
     const CableNet saddle = hypar(9, 9);
     const SimulatedSurvey s =
         simulate(saddle, LengthPrior{LengthPrior::Kind::uniform, 0.003}, noise, 7);
-    const Identification found = identify(saddle, s.survey,
-                                          {.method = IdentificationMethod::map,
-                                           .prior = LengthPrior{LengthPrior::Kind::uniform, 0.0003},
-                                           .prior_exact = true});
+    const Identification found =
+        test::identify_lengths(saddle, s.survey,
+                               {.method = IdentificationMethod::map,
+                                .prior = LengthPrior{LengthPrior::Kind::uniform, 0.0003},
+                                .prior_exact = true});
     ASSERT_EQ(found.trust.verdict(), Verdict::failed);
     EXPECT_EQ(found.trust.findings.front().kind, Trust::Finding::Kind::prior);
     // The noise is right: nothing advises another.
@@ -284,8 +287,8 @@ TEST(Diagnostics, OfNoiseAlongOneAxisNamesIt) {
     const Trust::Finding found = noise_found();
     EXPECT_EQ(found.severity, Verdict::failed);
     EXPECT_THAT(found.reason, testing::HasSubstr("scatters along z by"));
-    EXPECT_NEAR(found.value.value(), 2.4, 4.0 * 2.4 * found.std.value());
-    EXPECT_THAT(found.next, testing::HasSubstr("each axis"));
+    EXPECT_NEAR(found.value.value(), 2.4, 4.0 * 2.4 * found.std_dev.value());
+    EXPECT_THAT(found.advice, testing::HasSubstr("each axis"));
 }
 
 TEST(Diagnostics, OfNoiseThatIsLessAlongOneAxisAdviseNoCommonOne) {
@@ -294,7 +297,7 @@ TEST(Diagnostics, OfNoiseThatIsLessAlongOneAxisAdviseNoCommonOne) {
     const Trust::Finding found = finding_of(identified(s.survey, prior).trust, Kind::survey_noise);
     EXPECT_EQ(found.severity, Verdict::doubtful);
     EXPECT_FALSE(found.remedy.has_value());
-    EXPECT_THAT(found.next, testing::HasSubstr("each axis"));
+    EXPECT_THAT(found.advice, testing::HasSubstr("each axis"));
 }
 
 // A survey of a net with clamps that were not given; noise, frame and boundary are not to blame.
@@ -308,7 +311,7 @@ TEST(Diagnostics, OfAMissingLoadNameItFirst) {
         const Trust::Finding& first = result.trust.findings.at(0);
         EXPECT_EQ(first.kind, Kind::missing_load) << first.reason;
         EXPECT_EQ(first.severity, Verdict::failed);
-        EXPECT_GT(first.value.value(), 4.0 * first.std.value());
+        EXPECT_GT(first.value.value(), 4.0 * first.std_dev.value());
         EXPECT_LT(result.detectable.load, 30.0);
     }
     EXPECT_FALSE(finds(identified(survey_of(net(), prior, 12).survey, prior), Kind::missing_load));
@@ -321,24 +324,25 @@ TEST(Diagnostics, OfAMissingLoadNameWhatExplainsMoreFirst) {
     Identification result = identified(s.survey, prior);
     EXPECT_EQ(result.trust.findings.at(0).kind, Kind::survey_frame);
     const auto advice = [&] {
-        return finding_of(trust_of(net(), s.survey, result), Kind::missing_load).next;
+        return finding_of(trust_of(net(), s.survey, result), Kind::missing_load).advice;
     };
-    result.load_check = {.force = -9.0, .std = 1.0};
+    result.load_check = {.force = -9.0, .std_dev = 1.0};
     EXPECT_EQ(advice(), "Look at the frame of the survey first: it explains more.");
     // Noise explains more, but may be the load's: another standard deviation is not the remedy.
     result.frame_check = {};
     result.prior_check.mean = 0.0;
-    result.scales.noise = {.ratio = 1.8, .std = 0.02};
+    result.scales.noise = {.ratio = 1.8, .std_dev = 0.02};
     EXPECT_THAT(advice(), testing::HasSubstr("Check loads and weights"));
-    for (const std::vector<FoundScale>& axes :
-         {std::vector<FoundScale>(),
-          {{.ratio = 1.0, .std = 0.1}, {.ratio = 1.0, .std = 0.1}, {.ratio = 2.5, .std = 0.1}}}) {
+    for (const std::vector<FoundScale>& axes : {std::vector<FoundScale>(),
+                                                {{.ratio = 1.0, .std_dev = 0.1},
+                                                 {.ratio = 1.0, .std_dev = 0.1},
+                                                 {.ratio = 2.5, .std_dev = 0.1}}}) {
         result.scales.noise_by_axis = axes;
         const Trust trust = trust_of(net(), s.survey, result);
         const Trust::Finding noise_found = finding_of(trust, Kind::survey_noise);
         EXPECT_EQ(trust.findings.at(0).kind, Kind::missing_load);
         EXPECT_FALSE(noise_found.remedy);
-        EXPECT_THAT(noise_found.next, testing::HasSubstr("missing load first"));
+        EXPECT_THAT(noise_found.advice, testing::HasSubstr("missing load first"));
     }
 }
 
@@ -346,7 +350,7 @@ TEST(Diagnostics, OfAMissingLoadNameWhatExplainsMoreFirst) {
 TEST(Diagnostics, AdvisesWhatExplainsMost) {
     const SimulatedSurvey s = survey_of(net(), prior, 1);
     Identification result = identified(s.survey, prior);
-    result.scales.noise = {.ratio = 1.5, .std = 0.02};
+    result.scales.noise = {.ratio = 1.5, .std_dev = 0.02};
     const auto advice = [&] {
         return finding_of(trust_of(net(), s.survey, result), Kind::survey_noise);
     };
@@ -355,12 +359,12 @@ TEST(Diagnostics, AdvisesWhatExplainsMost) {
     EXPECT_TRUE(advice().remedy);
     result.frame_check.scale = 40e-4;
     EXPECT_FALSE(advice().remedy);
-    EXPECT_EQ(advice().next, "Look at the scale of the survey first: it explains more.");
+    EXPECT_EQ(advice().advice, "Look at the scale of the survey first: it explains more.");
     result.frame_check = {.scale = 1e-7, .scale_std = 1e-9};  // does no harm, and is not named
     EXPECT_TRUE(advice().remedy);
-    result.scales.noise = {.ratio = 2e-6, .std = 0.02};  // a computed form
+    result.scales.noise = {.ratio = 2e-6, .std_dev = 0.02};  // a computed form
     EXPECT_FALSE(advice().remedy);
-    EXPECT_THAT(advice().next, testing::HasSubstr("give no noise"));
+    EXPECT_THAT(advice().advice, testing::HasSubstr("give no noise"));
 }
 
 TEST(Diagnostics, OfNoiseCanBeLeftToTheSurvey) {
@@ -371,7 +375,7 @@ TEST(Diagnostics, OfNoiseCanBeLeftToTheSurvey) {
         Survey survey = s.survey;
         survey.noise_std *= wrong;
         const Identification result =
-            identify(net(), survey, {.prior = prior, .estimate_noise = true});
+            test::identify_lengths(net(), survey, {.prior = prior, .estimate_noise = true});
         EXPECT_NEAR(wrong * result.noise_scale, 1.0, 0.1);
         ASSERT_EQ(result.outliers.size(), 1U);
         EXPECT_EQ(result.outliers[0].node, gross);
@@ -384,14 +388,15 @@ TEST(Diagnostics, OfNoiseIsRefusedWhereTheSurveyDoesNotShowIt) {
     const CableNet small = hypar(2, 2);
     SimulatedSurvey s = simulate(small, prior, noise, 3);
     s.survey.frame_is_unknown = true;
-    const Identification found = identify(small, s.survey, {.prior = prior});
+    const Identification found = test::identify_lengths(small, s.survey, {.prior = prior});
     EXPECT_TRUE(finds(found, Kind::survey_noise));
     EXPECT_EQ(found.trust.verdict(), Verdict::passed);
     const IdentifyOptions options{.prior = prior, .estimate_noise = true};
-    EXPECT_THROW(static_cast<void>(identify(small, s.survey, options)), SurveyError);
+    EXPECT_THROW(static_cast<void>(test::identify_lengths(small, s.survey, options)), SurveyError);
     s.survey.noise_std.setZero();
     s.survey.frame_is_unknown = false;
-    EXPECT_THROW(static_cast<void>(identify(small, s.survey, options)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(test::identify_lengths(small, s.survey, options)),
+                 std::invalid_argument);
 }
 
 TEST(Diagnostics, OfTheFrameFindItWithTheLengths) {
@@ -425,13 +430,13 @@ TEST(Diagnostics, OfTheFrameFindItWithTheLengths) {
 TEST(Diagnostics, OfTheFrameLeavesTensionsReported) {
     SimulatedSurvey s = survey_of(net(), prior, 14);
     const IdentifyOptions options{.prior = prior, .draws = 40};
-    const Identification before = identify(net(), s.survey, options);
+    const Identification before = test::identify_lengths(net(), s.survey, options);
     s.survey.form.row(0).array() += 0.004;
     s.survey.frame_is_unknown = true;
-    const Identification result = identify(net(), s.survey, options);
+    const Identification result = test::identify_lengths(net(), s.survey, options);
     ASSERT_EQ(result.drawn.tensions.size(), before.drawn.tensions.size()) << result.draws->reason;
     EXPECT_NEAR(result.drawn.mean_tension.mean, before.drawn.mean_tension.mean,
-                4.0 * before.drawn.mean_tension.std);
+                4.0 * before.drawn.mean_tension.std_dev);
 }
 
 void measure_supports(Survey& survey) {
@@ -445,10 +450,10 @@ void measure_supports(Survey& survey) {
 TEST(MeasuredSupports, OfUncertainPlaceLeaveTensionsReported) {
     SimulatedSurvey s = survey_of(net(), prior, 15);
     measure_supports(s.survey);
-    const Identification result = identify(
+    const Identification result = test::identify_lengths(
         net(), s.survey, {.prior = prior, .uncertain = uncertain({"supports:1mm"}), .draws = 20});
     EXPECT_EQ(result.drawn.tensions.size(), 664U) << result.draws->reason;
-    EXPECT_LT(result.uncertain.front().std, 0.6e-3);  // measured to 0.5 mm
+    EXPECT_LT(result.uncertain.front().std_dev, 0.6e-3);  // measured to 0.5 mm
 }
 
 TEST(MeasuredSupports, ShowTheFrameAndAreTestedThemselves) {

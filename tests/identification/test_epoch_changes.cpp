@@ -12,6 +12,7 @@
 #include <random>
 
 #include "identification/jobs.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/net/cable_runs.hpp"
 
 namespace taut::of_epochs {
@@ -36,12 +37,12 @@ TEST(Epochs, NameTheLengthThatChanged) {
                 change = done[3].stroke - given[3].stroke;
             }
             const Job job = job_of(seed, given, done, slip);
-            const Identification result = identify_epochs(net(), job.epochs, with_prior());
+            const Identification result = test::identify_lengths(net(), job.epochs, with_prior());
             ASSERT_EQ(result.epochs.size(), 2U);
             const std::vector<LengthChange>& changes = result.epochs[1].changes;
             ASSERT_EQ(changes.size(), 1U) << seed;
             EXPECT_EQ(changes[0].edge, edge);
-            EXPECT_NEAR(changes[0].change, change, 5.0 * changes[0].std);
+            EXPECT_NEAR(changes[0].change, change, 5.0 * changes[0].std_dev);
             EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
             // What was turned is not to be added to the turns.
             EXPECT_THAT(result.trust.findings.front().reason,
@@ -96,7 +97,7 @@ TEST(Epochs, HoldWhetherAClampSlippedOrItsTargetIsWrong) {
                 }
                 IdentifyOptions options = with_prior();
                 options.prior_exact = seed == 2;  // not over several priors
-                const Identification result = identify_epochs(net(), job.epochs, options);
+                const Identification result = test::identify_lengths(net(), job.epochs, options);
                 const Eigen::VectorXd truth = job.deviations + slip;
                 // The target is one of the survey, and left out.
                 EXPECT_EQ(residuals_in_use(result, job.epochs[1].survey).size(),
@@ -105,7 +106,7 @@ TEST(Epochs, HoldWhetherAClampSlippedOrItsTargetIsWrong) {
                 for (const int edge : {clamp.before, clamp.after}) {
                     const int i = net().interior_index(edge);
                     EXPECT_LT(std::abs(result.edges[i].length_deviation - truth(i)),
-                              4.0 * result.edges[i].std)
+                              4.0 * result.edges[i].std_dev)
                         << distance << ' ' << is_slip << ' ' << seed << ' '
                         << result.trust.findings.front().reason;
                 }
@@ -126,14 +127,14 @@ TEST(Epochs, HoldWhereATargetIsWrongBesideATurnbuckle) {
     Job job = job_as_given(2, {});
     Points& form = job.epochs[1].survey.form;
     form.col(node) += 15e-3 * (form.col(s == node ? t : s) - form.col(node)).normalized();
-    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    const Identification result = test::identify_lengths(net(), job.epochs, with_prior());
     EXPECT_EQ(result.status, IdentificationStatus::converged);
     EXPECT_GT(test::coverage(result, job.deviations), 0.9);
 }
 
 TEST(Epochs, AreRefusedWhereTheTurnsAreOfAnotherDay) {
     const Job job = job_of(1, some_turns(1), some_turns(2));
-    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    const Identification result = test::identify_lengths(net(), job.epochs, with_prior());
     EXPECT_EQ(result.status, IdentificationStatus::survey_does_not_fit);
     EXPECT_THAT(result.message, HasSubstr("Check the turns given"));
 }
@@ -145,7 +146,7 @@ TEST(Epochs, FailWhereAllTurnsAreALittleOff) {
         one.stroke *= 1.15;  // a pitch given wrong
     }
     const Job job = job_of(1, given, done);
-    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    const Identification result = test::identify_lengths(net(), job.epochs, with_prior());
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
     EXPECT_NEAR(result.epochs[1].stroke_factor, 1.15, 4.0 * result.epochs[1].stroke_factor_std);
 }
@@ -159,7 +160,7 @@ TEST(Epochs, NameTheSignOfAFewTurnsRatherThanEach) {
         done.push_back({.edge = net().adjustable_edges()[i], .stroke = -stroke});
     }
     const Identification result =
-        identify_epochs(net(), job_of(1, given, done).epochs, with_prior());
+        test::identify_lengths(net(), job_of(1, given, done).epochs, with_prior());
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
     EXPECT_TRUE(result.epochs[1].changes.empty());
     EXPECT_NEAR(result.epochs[1].stroke_factor, -1.0, 4.0 * result.epochs[1].stroke_factor_std);
@@ -175,7 +176,7 @@ TEST(Epochs, DoNotBlameAllTurnsForOne) {
             done, {}, [](const EdgeTurned& one) { return std::abs(one.stroke); });
         largest->stroke *= -1.0;
         const Identification result =
-            identify_epochs(net(), job_of(seed, given, done).epochs, options);
+            test::identify_lengths(net(), job_of(seed, given, done).epochs, options);
         EXPECT_EQ(result.status, IdentificationStatus::converged) << result.message;
         EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed) << seed;
         ASSERT_FALSE(result.epochs[1].changes.empty());
@@ -194,7 +195,7 @@ TEST(Epochs, GiveNoFactorOfTurnsThatWereLetGo) {
     done[0].stroke = -4e-3;
     done[1].stroke = 14e-3;
     const Identification result =
-        identify_epochs(net(), job_of(1, given, done).epochs, with_prior());
+        test::identify_lengths(net(), job_of(1, given, done).epochs, with_prior());
     EXPECT_EQ(result.epochs[1].changes.size(), 2U);
     EXPECT_EQ(result.epochs[1].stroke_factor, 1.0);
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
@@ -216,7 +217,7 @@ TEST(Epochs, EstimateTheScatterOfTurns) {
                 one.stroke += normal(random);
             }
             const Job job = job_of(seed, given, done);
-            const Identification result = identify_epochs(net(), job.epochs, with_prior());
+            const Identification result = test::identify_lengths(net(), job.epochs, with_prior());
             const EpochResult& second = result.epochs[1];
             if (is_given) {
                 EXPECT_NE(result.trust.verdict(), Trust::Verdict::failed)
@@ -242,11 +243,11 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
     const CableNet built = turned_net(net(), off);
     const test::SimulatedSurvey first = test::simulate(built, prior, noise, 5);
     const Identification result =
-        identify_epochs(net(), surveyed_twice(built, first, 99), with_prior());
+        test::identify_lengths(net(), surveyed_twice(built, first, 99), with_prior());
     std::vector<int> named;
     for (const LengthChange& change : result.epochs[0].changes) {
         named.push_back(change.edge);
-        EXPECT_NEAR(std::abs(change.change), 6e-3, 5.0 * change.std);
+        EXPECT_NEAR(std::abs(change.change), 6e-3, 5.0 * change.std_dev);
     }
     EXPECT_THAT(named, ::testing::UnorderedElementsAre(off[0].edge, off[1].edge));
     EXPECT_TRUE(result.epochs[1].changes.empty());
@@ -258,7 +259,7 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
 TEST(Epochs, AreNoWiderUncertainThanAnEdgeMayBe) {
     const std::vector<EdgeTurned> done{{.edge = net().adjustable_edges()[3], .stroke = -12e-3}};
     const Job job = job_of(7, {}, done, Eigen::VectorXd::Zero(net().interior_edge_count()));
-    const Identification result = identify_epochs(net(), job.epochs, with_prior());
+    const Identification result = test::identify_lengths(net(), job.epochs, with_prior());
     for (const ParameterEstimate& estimate : result.uncertain) {
         EXPECT_NO_THROW(check_uncertain_parameters(net(), {estimate.parameter}));
     }
@@ -267,30 +268,30 @@ TEST(Epochs, AreNoWiderUncertainThanAnEdgeMayBe) {
 /// The same survey in other digits, and in another frame: its errors are in both.
 TEST(Epochs, NameOneSurveyGivenTwice) {
     Job job = job_as_given(4, some_turns(4));
-    EXPECT_EQ(identify_epochs(net(), job.epochs, with_prior()).trust.verdict(),
+    EXPECT_EQ(test::identify_lengths(net(), job.epochs, with_prior()).trust.verdict(),
               Trust::Verdict::passed);
     job.epochs[1].turned.clear();
     job.epochs[1].survey.form = job.epochs[0].survey.form.unaryExpr(
         [](double place) { return 1e-4 * std::round(1e4 * place); });
-    EXPECT_EQ(identify_epochs(net(), job.epochs, with_prior()).trust.findings.back().kind,
+    EXPECT_EQ(test::identify_lengths(net(), job.epochs, with_prior()).trust.findings.back().kind,
               Trust::Finding::Kind::repeated_survey);
     job.epochs[1].survey.form.colwise() += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
     for (Epoch& epoch : job.epochs) {
         epoch.survey.frame_is_unknown = true;
     }
-    EXPECT_EQ(identify_epochs(net(), job.epochs, with_prior()).trust.findings.back().kind,
+    EXPECT_EQ(test::identify_lengths(net(), job.epochs, with_prior()).trust.findings.back().kind,
               Trust::Finding::Kind::repeated_survey);
 }
 
 TEST(Epochs, SayThatThePriorIsAnother) {
     const Job job = job_as_given(2, some_turns(2));
-    const Identification result = identify_epochs(
+    const Identification result = test::identify_lengths(
         net(), job.epochs, {.prior = LengthPrior{LengthPrior::Kind::uniform, 1e-3}});
     EXPECT_TRUE(result.contradicted_prior);
     EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
     EXPECT_EQ(result.trust.findings[0].kind, Trust::Finding::Kind::prior);
     EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("Survey 1: "));
-    EXPECT_THAT(result.how, HasSubstr("that the first survey shows"));
+    EXPECT_THAT(result.description, HasSubstr("that the first survey shows"));
     EXPECT_GT(test::coverage(result, job.deviations), 0.9);
 }
 
@@ -310,43 +311,47 @@ TEST(Epochs, FindTheCreepOfRopes) {
     int far = 0;
     for (const std::uint64_t seed : {1, 2, 3}) {
         const Job job = job_of(seed, {}, {}, crept);
-        const Identification found = identify_epochs(grouped, job.epochs, options);
+        const Identification found = test::identify_lengths(grouped, job.epochs, options);
         EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed) << found.trust.findings[0].reason;
         const auto creep =
             std::ranges::find(found.uncertain, UncertainParameter::Kind::creep,
                               [](const ParameterEstimate& one) { return one.parameter.kind; });
         ASSERT_NE(creep, found.uncertain.end());
         EXPECT_EQ(creep->parameter, options.uncertain[0]);
-        EXPECT_LT(creep->std, 2e-3);
-        far += std::abs(creep->mean - strain) > 2.0 * creep->std ? 1 : 0;
-        EXPECT_NEAR(creep->mean, strain, 3.0 * creep->std);
+        EXPECT_LT(creep->std_dev, 2e-3);
+        far += std::abs(creep->mean - strain) > 2.0 * creep->std_dev ? 1 : 0;
+        EXPECT_NEAR(creep->mean, strain, 3.0 * creep->std_dev);
         // Lengths are those of the first survey: the strain is beside them.
         EXPECT_GT(test::coverage(found, job.deviations), 0.85);
         // Not assumed, it is a small error of the lengths, and named where it is twice as large.
         IdentifyOptions without = options;
         without.uncertain.clear();
-        EXPECT_GT(test::coverage(identify_epochs(grouped, job.epochs, without), job.deviations),
-                  0.85);
+        EXPECT_GT(
+            test::coverage(test::identify_lengths(grouped, job.epochs, without), job.deviations),
+            0.85);
         const Trust larger =
-            identify_epochs(grouped, job_of(seed, {}, {}, 2.0 * crept).epochs, without).trust;
+            test::identify_lengths(grouped, job_of(seed, {}, {}, 2.0 * crept).epochs, without)
+                .trust;
         ASSERT_EQ(larger.findings.size(), 1U);
         EXPECT_EQ(larger.findings[0].ids, std::vector<std::string>{"creep@rope"});
         EXPECT_NEAR(larger.findings[0].value.value(), 2.0 * strain, 3.0 * 1.5e-3);
         EXPECT_EQ(parse_uncertain_parameter(larger.findings[0].remedy->value).group, "rope");
         const Trust largest =
-            identify_epochs(grouped, job_of(seed, {}, {}, 4.0 * crept).epochs, without).trust;
+            test::identify_lengths(grouped, job_of(seed, {}, {}, 4.0 * crept).epochs, without)
+                .trust;
         EXPECT_NE(largest.verdict(), Trust::Verdict::passed);
         EXPECT_TRUE(std::ranges::any_of(largest.findings, [](const Trust::Finding& one) {
             return one.ids == std::vector<std::string>{"creep@rope"} && one.remedy->value.empty();
         }));
     }
     EXPECT_LE(far, 1);
-    EXPECT_THAT([&] { (void)identify(grouped, job_of(1, {}, {}).epochs[0].survey, options); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("expected a second survey")));
+    EXPECT_THAT(
+        [&] { (void)test::identify_lengths(grouped, job_of(1, {}, {}).epochs[0].survey, options); },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("expected a second survey")));
     options.uncertain = {parse_uncertain_parameter("creep:0.9%@rope")};
     Job three = job_of(1, {}, {});
     three.epochs.push_back(job_of(2, {}, {}).epochs[1]);
-    EXPECT_THAT([&] { (void)identify_epochs(grouped, three.epochs, options); },
+    EXPECT_THAT([&] { (void)test::identify_lengths(grouped, three.epochs, options); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("more than 1 % in 3 surveys")));
 }
 
@@ -354,10 +359,11 @@ TEST(Epochs, BlameAForceAndNoChangeOfLengths) {
     const Job job = job_of(3, {}, {}, {});
     IdentifyOptions options{.prior = prior, .assume_site = true};
     const int edge = net().interior_edges()[60];
-    const Identification without = identify_epochs(net(), job.epochs, options);
+    const Identification without = test::identify_lengths(net(), job.epochs, options);
     const double tension = without.tensions(edge);
-    options.forces.measurements = {{.edge = edge, .tension = 3.0 * tension, .std = 0.02 * tension}};
-    const Identification found = identify_epochs(net(), job.epochs, options);
+    options.forces.measurements = {
+        {.edge = edge, .tension = 3.0 * tension, .std_dev = 0.02 * tension}};
+    const Identification found = test::identify_lengths(net(), job.epochs, options);
     ASSERT_EQ(found.force_outliers.size(), 1U);
     ASSERT_EQ(found.trust.findings.size(), 1U) << found.trust.findings[0].reason;
     EXPECT_EQ(found.trust.findings[0].kind, Trust::Finding::Kind::force_measurement);
@@ -374,9 +380,9 @@ TEST(Epochs, LetCreepGoOn) {
     test::add_noise(job.epochs[2].survey.form, job.epochs[2].survey.surveyed, noise, 77);
     job.epochs[2].survey.noise_std *= std::sqrt(2.0);
     const IdentifyOptions options = with_prior(uncertain({"creep:0.5%"}));
-    const Identification found = identify_epochs(net(), job.epochs, options);
+    const Identification found = test::identify_lengths(net(), job.epochs, options);
     ASSERT_EQ(found.status, IdentificationStatus::converged);
-    EXPECT_NEAR(found.uncertain[0].mean, 2.5 * strain, 3.0 * found.uncertain[0].std);
+    EXPECT_NEAR(found.uncertain[0].mean, 2.5 * strain, 3.0 * found.uncertain[0].std_dev);
     EXPECT_NEAR(found.uncertain[0].prior_std, std::sqrt(2.0) * 5e-3, 1e-9);
     EXPECT_EQ(found.uncertain[0].parameter, options.uncertain[0]);
 }

@@ -50,9 +50,9 @@ void expect_all_lengths(const CableNet& net, const LengthPrior& prior, const Bui
         const double error = std::abs(edge.length_deviation - built.deviations(i));
         // By a bound of the prior the mean of what is left lies off it, by what stands for the
         // noise.
-        const bool is_by_a_bound = std::abs(built.deviations(i)) > prior.scale - 6.0 * edge.std;
+        const bool is_by_a_bound = std::abs(built.deviations(i)) > prior.scale - 6.0 * edge.std_dev;
         EXPECT_LT(error, is_slack        ? 2.0 * prior.scale
-                         : is_by_a_bound ? 2.0 * edge.std
+                         : is_by_a_bound ? 2.0 * edge.std_dev
                                          : 1e-9)
             << edge.edge;
         EXPECT_LE(edge.lower, built.deviations(i) + 1e-12);
@@ -105,7 +105,7 @@ TEST(ExactBalance, FindsTheLengthOfACableFarSofterThanItsNeighbours) {
         const BuiltNet built = build(net, prior, sample);
         const Identification found = identify_by_exact_balance(net, built.survey, prior);
         // Else its mean would lie off the truth by a bound of the prior.
-        ASSERT_LT(std::abs(built.deviations(soft)), prior.scale - 4.0 * found.edges[soft].std);
+        ASSERT_LT(std::abs(built.deviations(soft)), prior.scale - 4.0 * found.edges[soft].std_dev);
         EXPECT_NEAR(found.edges[soft].length_deviation, built.deviations(soft), 1e-9);
         expect_all_lengths(net, prior, built, found);
     }
@@ -127,10 +127,10 @@ TEST(ExactBalance, ClaimsNoLengthThatTheFormDoesNotDetermine) {
             EXPECT_LE(edge.lower, built.deviations(i));
             EXPECT_GE(edge.upper, built.deviations(i));
         }
-        EXPECT_GT(found.edges[0].std, 1e-7);
-        EXPECT_LT(found.edges[0].std, 1e-5);
-        EXPECT_GT(found.edges[1].std, 0.5 * prior.std());
-        EXPECT_GT(found.edges[2].std, 0.5 * prior.std());
+        EXPECT_GT(found.edges[0].std_dev, 1e-7);
+        EXPECT_LT(found.edges[0].std_dev, 1e-5);
+        EXPECT_GT(found.edges[1].std_dev, 0.5 * prior.std_dev());
+        EXPECT_GT(found.edges[2].std_dev, 0.5 * prior.std_dev());
     }
 }
 

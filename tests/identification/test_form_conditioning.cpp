@@ -13,10 +13,10 @@
 #include "identification/mean_function.hpp"
 #include "simulated_survey.hpp"
 #include "support/finite_differences.hpp"
+#include "survey/covariance.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/form_sensitivity.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -27,7 +27,7 @@ class FormConditioning : public ::testing::Test {
 protected:
     static LengthModel model_of(const CableNet& net) {
         const DataSet data = draw_samples(Sampler(net, {LengthPrior::Kind::uniform, 0.002}, 1), 60);
-        return train(net, data, data.converged_in(0, 60));
+        return train_model(net, data, data.converged_in(0, 60));
     }
 
     [[nodiscard]] Survey survey(double noise) const {
@@ -70,7 +70,7 @@ TEST_F(FormConditioning, IsGaussianConditioning) {
         for (const int node : partial.surveyed) {
             const Eigen::Index at = 3 * m_net.free_index(node);
             precision.block<3, 3>(at, at) =
-                covariance_of({.std = partial.noise_std.col(node),
+                covariance_of({.std_dev = partial.noise_std.col(node),
                                .correlations = partial.correlations_of(node)})
                     .inverse();
         }

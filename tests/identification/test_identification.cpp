@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/identify_lengths.hpp"
 #include "support/refusals.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/sampler.hpp"
@@ -38,9 +39,9 @@ protected:
     static constexpr int validation = 50;
 
     explicit OnASmallNet(const LengthPrior& prior = {LengthPrior::Kind::uniform, 0.002})
-        : m_data(Sampler(m_net, prior, 1).empty()) {
-        Sampler(m_net, prior, 1).extend(m_data, training + validation);
-        m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
+        : m_data(Sampler(m_net, prior, 1).no_samples()) {
+        Sampler(m_net, prior, 1).extend_to(m_data, training + validation);
+        m_model = train_model(m_net, m_data, first(training), TrainingSettings::paper());
     }
 
     /// The form of a sample as a survey without noise.
@@ -52,7 +53,7 @@ protected:
     }
 
     [[nodiscard]] Identification identify(int sample) const {
-        return taut::identify(m_net, survey_of(sample), {.model = &m_model});
+        return test::identify_lengths(m_net, survey_of(sample), {.model = &m_model});
     }
 
     const CableNet m_net = hypar(3, 4);
@@ -66,7 +67,7 @@ TEST_F(OnASmallNet, TheErrorsAreAFewStandardDeviations) {
     for (int k = training; k < training + validation; ++k) {
         for (const IdentifiedEdge& e : identify(k).edges) {
             const double truth = m_data.length_deviations(edges++ % m_net.interior_edge_count(), k);
-            EXPECT_LT(std::abs(e.length_deviation - truth), 7.0 * e.std)
+            EXPECT_LT(std::abs(e.length_deviation - truth), 7.0 * e.std_dev)
                 << "edge " << e.edge << ", sample " << k;
             inside += e.lower <= truth && truth <= e.upper ? 1 : 0;
         }
@@ -81,7 +82,7 @@ TEST_F(OnASmallNet, ThePredictedFormIsInEquilibriumWithTheIdentifiedLengths) {
     Eigen::VectorXd lengths = m_net.unstressed_lengths();
     for (const IdentifiedEdge& e : result.edges) {
         EXPECT_EQ(e.nominal, m_net.unstressed_lengths()(e.edge));
-        EXPECT_LT(e.std, 0.2 * m_model.prior.std()) << "edge " << e.edge;
+        EXPECT_LT(e.std_dev, 0.2 * m_model.prior.std_dev()) << "edge " << e.edge;
         EXPECT_EQ(e.status, EdgeStatus::determined);
         lengths(e.edge) += e.length_deviation;
     }
@@ -92,7 +93,7 @@ TEST_F(OnASmallNet, ThePredictedFormIsInEquilibriumWithTheIdentifiedLengths) {
     }
     EXPECT_TRUE(result.predicted.balanced());
     EXPECT_LT(out_of_balance_forces(m_net, lengths, result.predicted.form).cwiseAbs().maxCoeff(),
-              1e-9 * tensions(m_net, lengths, result.predicted.form).mean());
+              1e-9 * tensions_of(m_net, lengths, result.predicted.form).mean());
 }
 
 TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
@@ -100,12 +101,12 @@ TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
     const gp::Prediction posterior = m_model.processes.predict(at);
     const LengthEstimates estimates = estimate_lengths(m_net, m_model, at);
     EXPECT_EQ(estimates.mean, posterior.mean);
-    ASSERT_EQ(estimates.std.rows(), m_net.interior_edge_count());
-    ASSERT_EQ(estimates.std.cols(), 3);
+    ASSERT_EQ(estimates.std_dev.rows(), m_net.interior_edge_count());
+    ASSERT_EQ(estimates.std_dev.cols(), 3);
     for (int i = 0; i < m_net.interior_edge_count(); ++i) {
         const double noise = m_model.processes.processes[i].hyperparameters.noise_std;
         for (int k = 0; k < 3; ++k) {
-            EXPECT_DOUBLE_EQ(estimates.std(i, k), std::hypot(posterior.std(i, k), noise));
+            EXPECT_DOUBLE_EQ(estimates.std_dev(i, k), std::hypot(posterior.std_dev(i, k), noise));
         }
     }
 }
@@ -118,16 +119,16 @@ TEST_F(OnASmallNet, IdentificationIsTheEstimateForOneForm) {
         // The survey is nominal form plus deviation: rounded once more.
         EXPECT_NEAR(result.edges[i].length_deviation, estimates.mean(static_cast<int>(i), 0), 1e-9);
         const IdentifiedEdge& e = result.edges[i];
-        EXPECT_NEAR(e.std, estimates.std(static_cast<int>(i), 0), 1e-9);
-        EXPECT_NEAR(e.upper - e.length_deviation, half_interval_95 * e.std, 1e-12);
-        EXPECT_NEAR(e.length_deviation - e.lower, half_interval_95 * e.std, 1e-12);
+        EXPECT_NEAR(e.std_dev, estimates.std_dev(static_cast<int>(i), 0), 1e-9);
+        EXPECT_NEAR(e.upper - e.length_deviation, half_interval_95 * e.std_dev, 1e-12);
+        EXPECT_NEAR(e.length_deviation - e.lower, half_interval_95 * e.std_dev, 1e-12);
     }
 }
 
 TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncertainAsThePrior) {
     constexpr int constant = 4;
     m_data.length_deviations.row(constant).setZero();
-    m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
+    m_model = train_model(m_net, m_data, first(training), TrainingSettings::paper());
     const Identification result = identify(training);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         const IdentifiedEdge& e = result.edges[i];
@@ -135,7 +136,7 @@ TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncerta
             << "edge " << e.edge;
         if (i == constant) {
             EXPECT_EQ(e.length_deviation, 0.0);
-            EXPECT_DOUBLE_EQ(e.std, m_data.prior.std());
+            EXPECT_DOUBLE_EQ(e.std_dev, m_data.prior.std_dev());
         }
     }
 }
@@ -145,7 +146,7 @@ TEST_F(OnASmallNet, AModelForAnotherNetIsRefusedAndBothAreNamed) {
     content.unstressed_lengths(m_net.interior_edges()[0]) += 1e-9;
     const CableNet other(content);
     const std::string message = test::refusal_of(
-        [&] { return taut::identify(other, survey_of(training), {.model = &m_model}); });
+        [&] { return test::identify_lengths(other, survey_of(training), {.model = &m_model}); });
     EXPECT_THAT(message, testing::AllOf(testing::HasSubstr(m_net.fingerprint()),
                                         testing::HasSubstr(other.fingerprint())));
 }
@@ -155,8 +156,8 @@ TEST_F(OnASmallNet, ASurveyThatMissesAFreeNodeIsRefusedAndTheNodeIsNamed) {
     const int missing = survey.surveyed[3];
     survey.missing = {missing};
     survey.surveyed.erase(survey.surveyed.begin() + 3);
-    const std::string message =
-        test::refusal_of([&] { return taut::identify(m_net, survey, {.model = &m_model}); });
+    const std::string message = test::refusal_of(
+        [&] { return test::identify_lengths(m_net, survey, {.model = &m_model}); });
     EXPECT_THAT(message, testing::AllOf(testing::HasSubstr("11 of 12"),
                                         testing::HasSubstr("'" + std::to_string(missing) + "'")));
 }
@@ -175,7 +176,7 @@ TEST_F(WithSlackEdges, TheSlackOnesOfThePredictedFormAreMarkedAndNoOthers) {
         for (const IdentifiedEdge& e : result.edges) {
             lengths(e.edge) += e.length_deviation;
         }
-        const Eigen::VectorXd edge_tensions = tensions(m_net, lengths, result.predicted.form);
+        const Eigen::VectorXd edge_tensions = tensions_of(m_net, lengths, result.predicted.form);
         for (const IdentifiedEdge& e : result.edges) {
             EXPECT_EQ(e.status == EdgeStatus::slack, edge_tensions(e.edge) == 0.0)
                 << "edge " << e.edge << ", sample " << k;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "support/refusals.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
@@ -30,7 +31,7 @@ protected:
     static LengthModel model_of(const CableNet& net, const TrainingSettings& settings) {
         const Sampler sampler(net, prior, 1);
         const DataSet data = draw_samples(sampler, 80);
-        return train(net, data, data.converged_in(0, 80), settings);
+        return train_model(net, data, data.converged_in(0, 80), settings);
     }
 
     /// Half a millimetre of noise that is not given.
@@ -42,7 +43,7 @@ protected:
 
     void expect_misuse(const Survey& survey, const IdentifyOptions& options,
                        const char* words) const {
-        test::expect_refused([&] { return identify(m_net, survey, options); }, words);
+        test::expect_refused([&] { return test::identify_lengths(m_net, survey, options); }, words);
     }
 
     const CableNet m_net = hypar(5, 5);
@@ -51,16 +52,16 @@ protected:
 TEST_F(Identify, ChoosesTheMethodThatSuitsTheSurveyAndSaysWhy) {
     const Survey exact = test::simulate(m_net, prior, 0.0, 3).survey;
     Survey noisy = test::simulate(m_net, prior, 0.0005, 3).survey;
-    const Identification balance = identify(m_net, exact, {.prior = prior});
+    const Identification balance = test::identify_lengths(m_net, exact, {.prior = prior});
     EXPECT_EQ(balance.method, "balance");
     EXPECT_THAT(balance.method_reason, HasSubstr("the survey is exact"));
-    EXPECT_EQ(identify(m_net, noisy, {.prior = prior}).method, "map");
+    EXPECT_EQ(test::identify_lengths(m_net, noisy, {.prior = prior}).method, "map");
     test::hide(m_net, noisy, m_net.free_nodes()[2]);
-    const Identification map = identify(m_net, noisy, {.prior = prior});
+    const Identification map = test::identify_lengths(m_net, noisy, {.prior = prior});
     EXPECT_EQ(map.method, "map");
     EXPECT_THAT(map.method_reason, HasSubstr("1 free nodes were not surveyed"));
     const LengthModel model = model_of(m_net, {});
-    const Identification gp = identify(m_net, noisy, {.model = &model});
+    const Identification gp = test::identify_lengths(m_net, noisy, {.model = &model});
     EXPECT_EQ(gp.method, "gp");
     EXPECT_EQ(gp.length_prior, prior);
 }
@@ -72,7 +73,7 @@ TEST_F(Identify, SaysSoWhereASurveyMarkedExactIsNot) {
          {IdentifyOptions{.method = IdentificationMethod::balance, .prior = prior},
           IdentifyOptions{.method = IdentificationMethod::map, .prior = prior},
           IdentifyOptions{.model = &model}, IdentifyOptions{.model = &paper}}) {
-        const Identification found = identify(m_net, marked_exact(), options);
+        const Identification found = test::identify_lengths(m_net, marked_exact(), options);
         EXPECT_EQ(found.status, IdentificationStatus::survey_not_exact) << found.method;
         EXPECT_THAT(found.message, HasSubstr("is given as exact"));
     }
@@ -101,7 +102,8 @@ TEST_F(Identify, RefusesAModelThatIsNotForThis) {
     expect_misuse(survey, {.prior = LengthPrior{.scale = 0.003}, .model = &model},
                   "was trained for the prior uniform:2mm, expected uniform:3mm");
     expect_misuse(survey, {.method = IdentificationMethod::map, .model = &model}, "not for map");
-    EXPECT_THROW((void)identify(hypar(5, 6), survey, {.model = &model}), std::invalid_argument);
+    EXPECT_THROW((void)test::identify_lengths(hypar(5, 6), survey, {.model = &model}),
+                 std::invalid_argument);
     LengthModel part = model;
     part.processes.processes.pop_back();
     expect_misuse(survey, {.model = &part}, "the model's parts");
@@ -113,10 +115,11 @@ TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
     const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     const IdentifyOptions options{
         .method = IdentificationMethod::gp, .prior = prior, .training_samples = 60};
-    const Identification found = identify(m_net, survey, options);
+    const Identification found = test::identify_lengths(m_net, survey, options);
     EXPECT_EQ(found.status, IdentificationStatus::converged);
-    EXPECT_THAT(found.how, HasSubstr("trained on 60 samples of uniform:2mm"));
-    EXPECT_THROW((void)identify(m_net, survey, options, {.stop_requested = [] { return true; }}),
+    EXPECT_THAT(found.description, HasSubstr("trained on 60 samples of uniform:2mm"));
+    EXPECT_THROW((void)test::identify_lengths(m_net, survey, options,
+                                              {.stop_requested = [] { return true; }}),
                  Interrupted);
 }
 
@@ -130,7 +133,7 @@ TEST_F(Identify, ReportsItsFitsAndSamples) {
     }};
     constexpr int draws = 50;
     const Identification found =
-        identify(m_net, survey, {.prior = prior, .draws = draws}, progress);
+        test::identify_lengths(m_net, survey, {.prior = prior, .draws = draws}, progress);
     ASSERT_EQ(found.status, IdentificationStatus::converged);
     EXPECT_GE(steps, 3);
     EXPECT_GE(samples, draws);
@@ -140,7 +143,8 @@ TEST_F(Identify, StopsAmidTheFitWhereAsked) {
     const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     int asked = 0;
     const Progress progress{.stop_requested = [&] { return ++asked > 3; }};
-    EXPECT_THROW((void)identify(m_net, survey, {.prior = prior}, progress), Interrupted);
+    EXPECT_THROW((void)test::identify_lengths(m_net, survey, {.prior = prior}, progress),
+                 Interrupted);
     EXPECT_EQ(asked, 4);
 }
 
@@ -154,7 +158,7 @@ TEST_F(Identify, FindsAGrossErrorWhateverTheMethod) {
          {IdentifyOptions{.method = IdentificationMethod::balance, .prior = prior},
           IdentifyOptions{.method = IdentificationMethod::map, .prior = prior},
           IdentifyOptions{.model = &model}}) {
-        const Identification found = identify(m_net, survey, options);
+        const Identification found = test::identify_lengths(m_net, survey, options);
         ASSERT_EQ(found.outliers.size(), 1U) << found.method;
         EXPECT_EQ(found.outliers.front().node, wrong) << found.method;
         EXPECT_GT(found.noise_ratio, 0.5) << found.method;

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/net/cable_runs.hpp"
@@ -38,7 +39,7 @@ Coverage coverage(const CableNet& net, const CableNet& given, const IdentifyOpti
         const auto s =
             test::simulate(net, *options.prior, 5e-4, static_cast<std::uint64_t>(seed),
                            [&](Eigen::VectorXd& d) { alter(d, static_cast<unsigned>(seed)); });
-        const Identification found = identify(given, s.survey, options);
+        const Identification found = test::identify_lengths(given, s.survey, options);
         result.lengths += test::coverage(found, s.deviations) / surveys;
         drawn += found.drawn.tensions.size();
         result.tensions += test::tensions_held(found, test::true_tensions(net, s));
@@ -110,8 +111,8 @@ TEST(LengthTrend, DoesNotStandForAPriorThatIsFarTooNarrow) {
     const LengthPrior narrow{LengthPrior::Kind::uniform, 2e-4};
     for (int seed = 0; seed < 3; ++seed) {
         const auto s = test::simulate(net, wide, 5e-4, static_cast<std::uint64_t>(seed));
-        const Identification found =
-            identify(net, s.survey, {.prior = narrow, .assume_site = true, .draws = 20});
+        const Identification found = test::identify_lengths(
+            net, s.survey, {.prior = narrow, .assume_site = true, .draws = 20});
         EXPECT_NE(found.trust.verdict(), Trust::Verdict::passed) << seed;
     }
 }

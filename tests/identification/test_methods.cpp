@@ -12,13 +12,13 @@
 #include <functional>
 #include <stdexcept>
 
+#include "identification/cramer_rao_bound.hpp"
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/simulated_survey.hpp"
 #include "support/dense_posterior.hpp"
 #include "support/refusals.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/cramer_rao_bound.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -60,9 +60,9 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
                             .mean();
                 }
                 EXPECT_NEAR(covered, 0.95, 0.02)
-                    << method << ' ' << prior.to_string() << ' ' << noise;
+                    << method << ' ' << to_string(prior) << ' ' << noise;
                 EXPECT_LT(errors, (method == "map" ? 1.05 : 1.3) * best)
-                    << method << ' ' << prior.to_string() << ' ' << noise;
+                    << method << ' ' << to_string(prior) << ' ' << noise;
             }
         }
     }
@@ -156,7 +156,7 @@ TEST(Methods, GiveFiniteNumbersWhereNodesAreLoose) {
                                                  ? identify_by_force_balance(net, survey, wide)
                                                  : map(net, survey, wide);
                 for (const IdentifiedEdge& e : found.edges) {
-                    ASSERT_TRUE(std::isfinite(e.std) && e.lower <= e.length_deviation &&
+                    ASSERT_TRUE(std::isfinite(e.std_dev) && e.lower <= e.length_deviation &&
                                 e.length_deviation <= e.upper)
                         << "sample " << k << ", edge " << e.edge;
                 }

@@ -38,18 +38,18 @@ TEST(Train, LearnsFromTheNamedSamplesAndNoOthers) {
         spoilt.length_deviations.col(k).setConstant(-1e3);
     }
     const std::vector<int> named{1, 3, 6, 8, 11};
-    const LengthModel model = train(net(), data, named);
+    const LengthModel model = train_model(net(), data, named);
     EXPECT_EQ(model.processes.inputs, data.form_deviations(Eigen::all, named));
     const Eigen::MatrixXd at = data.form_deviations.col(0);
-    EXPECT_EQ(train(net(), spoilt, named).processes.predict(at).mean,
+    EXPECT_EQ(train_model(net(), spoilt, named).processes.predict(at).mean,
               model.processes.predict(at).mean);
 }
 
 TEST(Train, GivesBackTheLengthsItLearntFrom) {
     const DataSet data = samples(60);
-    const LengthModel model = train(net(), data, data.converged_in(0, 60));
+    const LengthModel model = train_model(net(), data, data.converged_in(0, 60));
     const Eigen::MatrixXd mean = estimate_lengths(net(), model, data.form_deviations).mean;
-    EXPECT_LT((mean - data.length_deviations).cwiseAbs().maxCoeff(), 0.05 * data.prior.std());
+    EXPECT_LT((mean - data.length_deviations).cwiseAbs().maxCoeff(), 0.05 * data.prior.std_dev());
 }
 
 TEST(TrainTogether, IsAsLikelyAsEachByItself) {
@@ -60,7 +60,7 @@ TEST(TrainTogether, IsAsLikelyAsEachByItself) {
     ASSERT_EQ(together.size(), 2U);
     const Eigen::MatrixXd at = samples(45).form_deviations.rightCols(5);
     for (size_t k = 0; k < settings.size(); ++k) {
-        const LengthModel alone = train(net(), data, all, settings[k]);
+        const LengthModel alone = train_model(net(), data, all, settings[k]);
         EXPECT_EQ(together[k].as_in_paper, alone.as_in_paper);
         EXPECT_EQ(together[k].mean, alone.mean);
         EXPECT_EQ(together[k].input_scales, alone.input_scales);
@@ -76,21 +76,22 @@ TEST(TrainTogether, IsAsLikelyAsEachByItself) {
         EXPECT_LT(loss, 0.05 * net().interior_edge_count());
         const LengthEstimates ours = estimate_lengths(net(), together[k], at);
         const LengthEstimates expected = estimate_lengths(net(), alone, at);
-        EXPECT_LT((ours.mean - expected.mean).cwiseAbs().maxCoeff(), 0.2 * expected.std.maxCoeff());
+        EXPECT_LT((ours.mean - expected.mean).cwiseAbs().maxCoeff(),
+                  0.2 * expected.std_dev.maxCoeff());
     }
 }
 
 TEST(Train, RefusesSamplesThatAreNotThere) {
     DataSet data = samples(4);
-    EXPECT_THROW((void)train(net(), data, {2}), std::invalid_argument);
-    EXPECT_NO_THROW((void)train(net(), data, {2, 3}));
+    EXPECT_THROW((void)train_model(net(), data, {2}), std::invalid_argument);
+    EXPECT_NO_THROW((void)train_model(net(), data, {2, 3}));
     for (const int bad : {-1, 4, 1000}) {
         EXPECT_THAT(
-            test::refusal_of([&] { return train(net(), data, {0, 1, bad}); }),
+            test::refusal_of([&] { return train_model(net(), data, {0, 1, bad}); }),
             testing::AllOf(testing::HasSubstr(std::to_string(bad)), testing::HasSubstr("0 to 3")));
     }
     data.form_deviations.conservativeResize(2, 4);  // parts are missing
-    EXPECT_THROW((void)train(net(), data, {0, 1, 2, 3}), std::invalid_argument);
+    EXPECT_THROW((void)train_model(net(), data, {0, 1, 2, 3}), std::invalid_argument);
 }
 
 }  // namespace of_model

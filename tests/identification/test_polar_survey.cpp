@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/survey/registration.hpp"
@@ -53,13 +54,13 @@ Tally identify_surveys(const std::vector<Eigen::Vector3d>& stations, bool diagon
         const test::SimulatedSurvey built = test::simulate(net, prior, 0.0, seed);
         Survey survey = survey_of(net, simulate_polar_survey(net, built.truth.form,
                                                              {.stations = stations,
-                                                              .distance = {.std = 1.5e-3},
+                                                              .distance = {.std_dev = 1.5e-3},
                                                               .dropped_part = 0.1,
                                                               .seed = seed}));
         if (diagonal) {
             survey.noise_correlations.resize(3, 0);
         }
-        result.add(identify(net, survey, {.prior = prior}), built.deviations);
+        result.add(test::identify_lengths(net, survey, {.prior = prior}), built.deviations);
     }
     result.noise_ratio /= surveys;
     return result;

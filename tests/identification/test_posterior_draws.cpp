@@ -15,7 +15,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "identification/drawn_summary.hpp"
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "support/json_numbers.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
@@ -84,7 +86,7 @@ std::vector<Reference> references() {
 TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
     for (const Reference& reference : references()) {
         SCOPED_TRACE(reference.json.at("name").get<std::string>());
-        const Identification found = identify(
+        const Identification found = test::identify_lengths(
             reference.net, reference.survey,
             {.prior = reference.prior, .prior_exact = reference.prior_exact, .draws = 2000});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
@@ -93,27 +95,27 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
         const double of_mean = reference.prior_exact ? 0.15 : 0.25;
         const double of_end = reference.prior_exact ? 0.3 : 0.45;
         const Eigen::VectorXd mean = vector_of(reference.json.at("mean"));
-        const Eigen::VectorXd std = vector_of(reference.json.at("std"));
+        const Eigen::VectorXd std_dev = vector_of(reference.json.at("std"));
         for (Eigen::Index i = 0; i < mean.size(); ++i) {
             const Eigen::VectorXd drawn = found.draws->length_deviations.row(i);
             const DrawnEstimate estimate = estimate_of(drawn);
-            EXPECT_NEAR(estimate.mean, mean(i), of_mean * std(i)) << i;
-            EXPECT_NEAR(estimate.std / std(i), 1.0, 0.15) << i;
-            EXPECT_NEAR(found.edges[i].length_deviation, mean(i), of_mean * std(i)) << i;
-            EXPECT_NEAR(found.edges[i].std / std(i), 1.0, 0.15) << i;
+            EXPECT_NEAR(estimate.mean, mean(i), of_mean * std_dev(i)) << i;
+            EXPECT_NEAR(estimate.std_dev / std_dev(i), 1.0, 0.15) << i;
+            EXPECT_NEAR(found.edges[i].length_deviation, mean(i), of_mean * std_dev(i)) << i;
+            EXPECT_NEAR(found.edges[i].std_dev / std_dev(i), 1.0, 0.15) << i;
         }
         if (!reference.prior_exact) {  // (prior-mixture)
             const double prior_std = reference.json.at("prior_std");
             const double prior_std_std = reference.json.at("prior_std_std");
-            EXPECT_NEAR(found.prior.std, prior_std, 0.45 * prior_std_std);
+            EXPECT_NEAR(found.prior.std_dev, prior_std, 0.45 * prior_std_std);
             EXPECT_NEAR(found.prior.std_std / prior_std_std, 1.0, 0.3);
             EXPECT_NEAR(found.prior.uniform_probability, reference.json.at("uniform_probability"),
                         0.25);
             const Eigen::VectorXd lowest = vector_of(reference.json.at("lower"));
             const Eigen::VectorXd highest = vector_of(reference.json.at("upper"));
             for (Eigen::Index i = 0; i < mean.size(); ++i) {
-                EXPECT_NEAR(found.edges[i].lower, lowest(i), of_end * std(i)) << i;
-                EXPECT_NEAR(found.edges[i].upper, highest(i), of_end * std(i)) << i;
+                EXPECT_NEAR(found.edges[i].lower, lowest(i), of_end * std_dev(i)) << i;
+                EXPECT_NEAR(found.edges[i].upper, highest(i), of_end * std_dev(i)) << i;
             }
         }
         const Eigen::VectorXd tension = vector_of(reference.json.at("tension_mean"));
@@ -129,7 +131,7 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
             const DrawnTension& of_edge = found.drawn.tensions[e];
             const double spread = std::max(tension_std(e), least_spread);
             EXPECT_NEAR(of_edge.tension.mean, tension(e), of_mean * spread) << e;
-            EXPECT_NEAR(of_edge.tension.std, tension_std(e), 0.15 * spread) << e;
+            EXPECT_NEAR(of_edge.tension.std_dev, tension_std(e), 0.15 * spread) << e;
             EXPECT_NEAR(of_edge.tension.lower, lower(e), of_end * spread) << e;
             EXPECT_NEAR(of_edge.tension.upper, upper(e), (has_slack ? 0.45 : of_end) * spread) << e;
             EXPECT_NEAR(of_edge.slack_probability, slack(e), slack(e) > 0.1 ? 0.1 : 0.05) << e;
@@ -144,7 +146,8 @@ TEST(PosteriorDraws, AreInEquilibrium) {
     const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
     test::SimulatedSurvey s = test::simulate(net, prior, 5e-4, 3);
     test::hide(net, s.survey, net.free_nodes()[7]);
-    const Identification found = identify(net, s.survey, {.prior = prior, .draws = 20});
+    const Identification found =
+        test::identify_lengths(net, s.survey, {.prior = prior, .draws = 20});
     ASSERT_TRUE(found.draws);
     const PosteriorDraws& draws = *found.draws;
     ASSERT_EQ(draws.count(), 20);
@@ -153,7 +156,7 @@ TEST(PosteriorDraws, AreInEquilibrium) {
         const Points form = with_free_coordinates(net, draws.forms.col(k));
         EXPECT_LT(out_of_balance_forces(net, lengths, form).cwiseAbs().maxCoeff(),
                   1e-9 * draws.tensions.col(k).mean());
-        EXPECT_TRUE(draws.tensions.col(k).isApprox(tensions(net, lengths, form), 1e-12));
+        EXPECT_TRUE(draws.tensions.col(k).isApprox(tensions_of(net, lengths, form), 1e-12));
     }
     ASSERT_EQ(found.drawn.missing.size(), 1U);
     const DrawnPlace& place = found.drawn.missing.front();
@@ -173,8 +176,8 @@ TEST(PosteriorDraws, ShowHowLittleIsKnownOfWhatIsSlack) {
     int means_inside = 0;
     for (std::uint64_t seed = 0; seed < surveys; ++seed) {
         const auto s = test::simulate(net, prior, 5e-4, seed);
-        const Identification found =
-            identify(net, s.survey, {.prior = prior, .prior_exact = true, .draws = 200});
+        const Identification found = test::identify_lengths(
+            net, s.survey, {.prior = prior, .prior_exact = true, .draws = 200});
         ASSERT_EQ(found.draws.value().reason, "") << seed;
         const Eigen::VectorXd truth = test::true_tensions(net, s);
         tensions_inside += test::tensions_held(found, truth);
@@ -193,7 +196,7 @@ TEST(PosteriorDraws, KeepCablesTautThatWereSeenToBe) {
     const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
     const auto s = test::simulate(net, prior, 5e-4, 0);
     IdentifyOptions options{.prior = prior, .prior_exact = true, .draws = 100};
-    const Identification unmarked = identify(net, s.survey, options);
+    const Identification unmarked = test::identify_lengths(net, s.survey, options);
     const Eigen::VectorXd truth = test::true_tensions(net, s);
     for (const int edge : net.interior_edges()) {
         const double slack = unmarked.drawn.tensions[static_cast<size_t>(edge)].slack_probability;
@@ -202,9 +205,9 @@ TEST(PosteriorDraws, KeepCablesTautThatWereSeenToBe) {
         }
     }
     ASSERT_EQ(options.forces.taut.size(), 5U);
-    const Identification marked = identify(net, s.survey, options);
+    const Identification marked = test::identify_lengths(net, s.survey, options);
     ASSERT_EQ(marked.draws.value().reason, "");
-    EXPECT_EQ(marked.draws->how, "Hamiltonian Monte Carlo");
+    EXPECT_EQ(marked.draws->method, "Hamiltonian Monte Carlo");
     for (const int edge : options.forces.taut) {
         EXPECT_EQ(marked.drawn.tensions[static_cast<size_t>(edge)].slack_probability, 0.0) << edge;
     }
@@ -217,7 +220,8 @@ TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
     const LengthPrior prior{LengthPrior::Kind::uniform, 3e-3};
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
         const auto s = test::simulate(net, prior, 5e-4, seed);
-        const Identification found = identify(net, s.survey, {.assume_site = true, .draws = 100});
+        const Identification found =
+            test::identify_lengths(net, s.survey, {.assume_site = true, .draws = 100});
         EXPECT_EQ(found.draws.value().reason, "") << seed;
     }
 }
@@ -228,7 +232,7 @@ TEST(PosteriorDraws, FollowTensionLawsThatBend) {
     const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
     const auto s = test::simulate(net, prior, 5e-4, 1);
     const Identification found =
-        identify(net, s.survey, {.prior = prior, .assume_site = true, .draws = 60});
+        test::identify_lengths(net, s.survey, {.prior = prior, .assume_site = true, .draws = 60});
     ASSERT_EQ(found.draws.value().reason, "");
     EXPECT_TRUE(found.draws->is_refitted);
     EXPECT_GE(test::tensions_held(found, test::true_tensions(net, s)), 0.85 * net.edge_count());
@@ -240,7 +244,7 @@ TEST(PosteriorDraws, AreTheSameFromTheSameSeedWithAnyNumberOfThreads) {
     const LengthPrior prior{LengthPrior::Kind::normal, 2e-3};
     const auto s = test::simulate(net, prior, 5e-4, 1);
     const auto draws = [&](std::uint64_t seed) {
-        return identify(net, s.survey, {.prior = prior, .draws = 10, .seed = seed})
+        return test::identify_lengths(net, s.survey, {.prior = prior, .draws = 10, .seed = seed})
             .draws->length_deviations;
     };
     const Eigen::MatrixXd by_all_threads = draws(1);
@@ -267,7 +271,7 @@ TEST(PosteriorDraws, BelowZeroOrTooManyForMemoryAreRefused) {
     EXPECT_THROW(check_draws(reference.net, -1), std::invalid_argument);
     EXPECT_THROW(check_draws(reference.net, 1'000'000'000'000), std::invalid_argument);
     EXPECT_NO_THROW(check_draws(reference.net, 0));
-    EXPECT_THROW((void)identify(reference.net, reference.survey, {.draws = -1}),
+    EXPECT_THROW((void)test::identify_lengths(reference.net, reference.survey, {.draws = -1}),
                  std::invalid_argument);
 }
 

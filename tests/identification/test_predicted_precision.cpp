@@ -40,7 +40,7 @@ std::set<int> region(const CableNet& net, int centre, int edges) {
     return nodes;
 }
 
-/// (J' S J + I / prior.std()^2)^-1, with J from differences of equilibria.
+/// (J' S J + I / prior.std_dev()^2)^-1, with J from differences of equilibria.
 Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     const Eigen::Index count = net.interior_edge_count();
     EquilibriumSolver solver(net);
@@ -52,7 +52,7 @@ Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const L
         test::finite_differences(seen, Eigen::VectorXd::Zero(count), 1e-5);
     const Eigen::MatrixXd precision =
         jacobian.transpose() * jacobian / (noise_std * noise_std) +
-        Eigen::MatrixXd::Identity(count, count) / (prior.std() * prior.std());
+        Eigen::MatrixXd::Identity(count, count) / (prior.std_dev() * prior.std_dev());
     return precision.inverse().diagonal().cwiseSqrt();
 }
 
@@ -65,11 +65,11 @@ TEST(PredictedPrecision, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
         const Survey survey = test::planned_survey(net, noise_std, hidden);
         const PredictedPrecision precision = predicted_precision(net, form, survey, normal_3mm);
         const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
-        const Eigen::VectorXd stds = test::of_edges(precision.edges, &EdgePrecision::std);
+        const Eigen::VectorXd stds = test::of_edges(precision.edges, &EdgePrecision::std_dev);
         EXPECT_LT((stds - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
         for (size_t i = 0; i < precision.edges.size(); ++i) {
             EXPECT_EQ(precision.edges[i].status,
-                      status_of(normal_3mm.std(), expected(static_cast<Eigen::Index>(i))))
+                      status_of(normal_3mm.std_dev(), expected(static_cast<Eigen::Index>(i))))
                 << i;
         }
         EXPECT_NEAR(precision.rms_std(), std::sqrt(expected.cwiseAbs2().mean()),
@@ -89,7 +89,7 @@ TEST(PredictedPrecision, IsWhatIdentificationsThenGive) {
         }
         const PredictedPrecision precision = predicted_precision(net, form, s.survey, prior);
         const Identification then = identify_by_maximum_a_posteriori(net, s.survey, prior);
-        const Eigen::VectorXd stds = test::of_edges(then.edges, &IdentifiedEdge::std);
+        const Eigen::VectorXd stds = test::of_edges(then.edges, &IdentifiedEdge::std_dev);
         EXPECT_NEAR(precision.rms_std(), std::sqrt(stds.cwiseAbs2().mean()),
                     0.03 * precision.rms_std());
         const auto open = static_cast<double>(
@@ -109,7 +109,7 @@ TEST(PredictedPrecision, KnowsASlackEdge) {
     for (const EdgePrecision& e : precision.edges) {
         EXPECT_EQ(e.status == EdgeStatus::slack, e.edge == edge);
         if (e.edge == edge) {
-            EXPECT_NEAR(e.std, uniform_5mm.std(), 1e-9);
+            EXPECT_NEAR(e.std_dev, uniform_5mm.std_dev(), 1e-9);
         }
     }
 }

@@ -9,6 +9,7 @@
 
 #include "identification/prior_mixture.hpp"
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 
@@ -41,11 +42,11 @@ TEST(PriorMixture, HasTheMeanAndVarianceOfItsParts) {
     const LengthPrior truth{LengthPrior::Kind::uniform, 0.003};
     const SimulatedSurvey s = simulate(net, truth, 0.5e-3, 4);
     const auto by = [&](double scale) {
-        return identify(net, s.survey,
-                        {.method = IdentificationMethod::map,
-                         .prior = LengthPrior{LengthPrior::Kind::normal, scale},
-                         .prior_exact = true,
-                         .draws = 40});
+        return test::identify_lengths(net, s.survey,
+                                      {.method = IdentificationMethod::map,
+                                       .prior = LengthPrior{LengthPrior::Kind::normal, scale},
+                                       .prior_exact = true,
+                                       .draws = 40});
     };
     const Identification narrow = by(0.001);
     const Identification wide = by(0.004);
@@ -54,10 +55,11 @@ TEST(PriorMixture, HasTheMeanAndVarianceOfItsParts) {
         const IdentifiedEdge& a = narrow.edges[i];
         const IdentifiedEdge& b = wide.edges[i];
         const double mean = 0.75 * a.length_deviation + 0.25 * b.length_deviation;
-        const double square = 0.75 * (a.std * a.std + a.length_deviation * a.length_deviation) +
-                              0.25 * (b.std * b.std + b.length_deviation * b.length_deviation);
+        const double square =
+            0.75 * (a.std_dev * a.std_dev + a.length_deviation * a.length_deviation) +
+            0.25 * (b.std_dev * b.std_dev + b.length_deviation * b.length_deviation);
         EXPECT_NEAR(mixed.edges[i].length_deviation, mean, 1e-12);
-        EXPECT_NEAR(mixed.edges[i].std, std::sqrt(square - mean * mean), 1e-9);
+        EXPECT_NEAR(mixed.edges[i].std_dev, std::sqrt(square - mean * mean), 1e-9);
         EXPECT_LT(mixed.edges[i].lower, mean);
         EXPECT_GT(mixed.edges[i].upper, mean);
     }

@@ -5,10 +5,11 @@
 // it, and gross errors that spoil the rest.
 #include <gtest/gtest.h>
 
+#include "identification/cramer_rao_bound.hpp"
 #include "identification/processes.hpp"
 #include "simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/cramer_rao_bound.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/sampling/sampler.hpp"
@@ -22,7 +23,7 @@ constexpr LengthPrior gaussian_prior{LengthPrior::Kind::normal, 0.0015};
 LengthModel model_of(const CableNet& net, const LengthPrior& prior,
                      const TrainingSettings& settings = {}, int samples = 300) {
     const DataSet data = draw_samples(Sampler(net, prior, 1), samples);
-    return train(net, data, data.converged_in(0, samples), settings);
+    return train_model(net, data, data.converged_in(0, samples), settings);
 }
 
 struct Score {
@@ -65,7 +66,7 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
         const LengthModel model = model_of(net, prior);
         for (const double noise : {0.0, 0.0001, 0.0005, 0.002}) {
             const Score s = score(net, model, noise, 40);
-            SCOPED_TRACE(prior.to_string() + ", noise " + std::to_string(noise));
+            SCOPED_TRACE(to_string(prior) + ", noise " + std::to_string(noise));
             EXPECT_GT(s.coverage, 0.93);
             EXPECT_LT(s.coverage, 0.97);
             if (noise > 0.0) {
@@ -99,7 +100,7 @@ TEST(ProcessesOnSite, AFormPriorThatTheModelDoesNotKeepIsMadeWhereItIsAskedFor) 
     ASSERT_EQ(made.edges.size(), kept.edges.size());
     for (size_t i = 0; i < kept.edges.size(); ++i) {
         EXPECT_DOUBLE_EQ(made.edges[i].length_deviation, kept.edges[i].length_deviation);
-        EXPECT_DOUBLE_EQ(made.edges[i].std, kept.edges[i].std);
+        EXPECT_DOUBLE_EQ(made.edges[i].std_dev, kept.edges[i].std_dev);
     }
 }
 
@@ -126,14 +127,14 @@ TEST(ProcessesOnSite, AModelAsInThePaperTakesTheSurveyForExactAndWhole) {
     const CableNet net = hypar(3, 4);
     const LengthModel model = model_of(net, uniform_prior, TrainingSettings::paper());
     auto s = test::simulate(net, uniform_prior, 0.0005, 3);
-    const Identification found = identify(net, s.survey, {.model = &model});
+    const Identification found = test::identify_lengths(net, s.survey, {.model = &model});
     const LengthEstimates expected =
         estimate_lengths(net, model, free_coordinates(net, s.survey.form) - model.nominal_form);
     for (size_t i = 0; i < found.edges.size(); ++i) {
         EXPECT_EQ(found.edges[i].length_deviation, expected.mean(static_cast<Eigen::Index>(i), 0));
     }
     test::hide(net, s.survey, net.free_nodes()[2]);
-    EXPECT_THROW((void)identify(net, s.survey, {.model = &model}), SurveyError);
+    EXPECT_THROW((void)test::identify_lengths(net, s.survey, {.model = &model}), SurveyError);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "identification/simulated_survey.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
@@ -39,7 +40,7 @@ Scores scores_of(const CableNet& net, const CableNet& built, IdentifyOptions opt
     for (int seed = 0; seed < surveys; ++seed) {
         const test::SimulatedSurvey s = test::simulate(built, prior, 0.5e-3, seed);
         EXPECT_TRUE(s.truth.balanced());
-        const Identification found = identify(net, s.survey, options);
+        const Identification found = test::identify_lengths(net, s.survey, options);
         EXPECT_EQ(found.stretches.size(), 1U);
         const StretchLength& stretch = found.stretches.at(0);
         double deviation = 0.0;
@@ -47,19 +48,20 @@ Scores scores_of(const CableNet& net, const CableNet& built, IdentifyOptions opt
             const int i = net.interior_index(edge);
             deviation += i >= 0 ? s.deviations(i) : 0.0;
         }
-        const Eigen::VectorXd tension = tensions(built, s.truth.unstressed_lengths, s.truth.form);
-        result.lengths += std::pow((stretch.length_deviation - deviation) / stretch.std, 2);
+        const Eigen::VectorXd tension =
+            tensions_of(built, s.truth.unstressed_lengths, s.truth.form);
+        result.lengths += std::pow((stretch.length_deviation - deviation) / stretch.std_dev, 2);
         result.tensions +=
             std::pow((stretch.tension - tension(stretch.edges).mean()) / stretch.tension_std, 2);
         for (const IdentifiedEdge& edge : found.edges) {
             const double true_deviation =
                 s.truth.unstressed_lengths(edge.edge) - net.unstressed_lengths()(edge.edge);
-            result.edges += std::pow((edge.length_deviation - true_deviation) / edge.std, 2) /
+            result.edges += std::pow((edge.length_deviation - true_deviation) / edge.std_dev, 2) /
                             static_cast<double>(found.edges.size());
         }
         for (const DrawnTension& drawn : found.drawn.tensions) {
             result.drawn_tensions +=
-                std::pow((drawn.tension.mean - tension(drawn.edge)) / drawn.tension.std, 2) /
+                std::pow((drawn.tension.mean - tension(drawn.edge)) / drawn.tension.std_dev, 2) /
                 static_cast<double>(found.drawn.tensions.size());
         }
         result.passed += found.trust.verdict() == Trust::Verdict::passed ? 1 : 0;
@@ -114,7 +116,8 @@ TEST(SlidingRuns, AnErrorOfAStretchIsThatOfNoSingleEdge) {
         test::simulate(net, prior, 0.5e-3, 3, [&](Eigen::VectorXd& deviations) {
             deviations(net.interior_index(net.data().runs.at(0).edges.at(3))) += 40e-3;
         });
-    const Identification found = identify(net, s.survey, {.prior = prior, .prior_exact = true});
+    const Identification found =
+        test::identify_lengths(net, s.survey, {.prior = prior, .prior_exact = true});
     EXPECT_TRUE(found.boundary_outliers.empty());  // nor of a turnbuckle
     ASSERT_EQ(found.length_outliers.size(), 1U);
     EXPECT_NEAR(found.stretches.at(0).length_deviation, 40e-3, 15e-3);
@@ -127,7 +130,8 @@ TEST(SlidingRuns, SlipsAreThoseOfTheNetAsBuilt) {
     const CableNet net = ridge(0.1);
     const LengthPrior prior{LengthPrior::Kind::normal, 2e-3};
     const test::SimulatedSurvey s = test::simulate(net, prior, 0.1e-3, 3);
-    const Identification found = identify(net, s.survey, {.prior = prior, .prior_exact = true});
+    const Identification found =
+        test::identify_lengths(net, s.survey, {.prior = prior, .prior_exact = true});
     const Eigen::VectorXd marked = with_length_deviations(net, s.deviations);
     double slip = 0.0;
     int count = 0;
@@ -136,7 +140,7 @@ TEST(SlidingRuns, SlipsAreThoseOfTheNetAsBuilt) {
         const SlidingNode& at = net.sliding_nodes().at(count++);
         ASSERT_EQ(one.edge, at.after);
         slip += marked(at.before) - s.truth.unstressed_lengths(at.before);
-        EXPECT_NEAR(one.mean, slip, 4.0 * one.std);
+        EXPECT_NEAR(one.mean, slip, 4.0 * one.std_dev);
     }
     EXPECT_EQ(count, std::ssize(net.sliding_nodes()));
     // The form follows from lengths and slips.
@@ -162,7 +166,7 @@ TurnedRuns turned_runs(const CableNet& built, std::uint64_t seed, const Eigen::V
     Eigen::VectorXd lengths = first.truth.unstressed_lengths;
     for (const int edge : built.adjustable_edges()) {
         const double stroke = std::uniform_real_distribution<double>(-8e-3, 8e-3)(random);
-        turned.push_back({.edge = edge, .stroke = stroke, .std = 0.0});
+        turned.push_back({.edge = edge, .stroke = stroke, .std_dev = 0.0});
         lengths(edge) += done(edge) * stroke;
     }
     result.truth = EquilibriumSolver(built).solve(lengths, first.truth.form);
@@ -190,24 +194,27 @@ TEST(SlidingRuns, SurveysBeforeAndAfterTurnsAreOfOneCable) {
     for (int seed = 0; seed < chains; ++seed) {
         const CableNet built = ridge(0.1 * (seed + 0.5) / chains);
         const TurnedRuns of = turned_runs(built, seed, Eigen::VectorXd::Ones(net.edge_count()));
-        const Identification found = identify_epochs(net, of.epochs, options);
+        const Identification found = test::identify_lengths(net, of.epochs, options);
         ASSERT_EQ(found.status, IdentificationStatus::converged);
         passed += found.trust.verdict() == Trust::Verdict::passed ? 1 : 0;
         const Eigen::VectorXd off = of.truth.unstressed_lengths - net.unstressed_lengths();
         for (const IdentifiedEdge& edge : found.edges) {
-            edges += std::pow((edge.length_deviation - off(edge.edge)) / edge.std, 2) /
+            edges += std::pow((edge.length_deviation - off(edge.edge)) / edge.std_dev, 2) /
                      static_cast<double>(found.edges.size() * chains);
         }
         const StretchLength& stretch = found.stretches.at(0);
         const double sum = of.truth.unstressed_lengths(stretch.edges).sum();
         stretches +=
-            std::pow((stretch.nominal + stretch.length_deviation - sum) / stretch.std, 2) / chains;
-        const Eigen::VectorXd tension = tensions(built, of.truth.unstressed_lengths, of.truth.form);
+            std::pow((stretch.nominal + stretch.length_deviation - sum) / stretch.std_dev, 2) /
+            chains;
+        const Eigen::VectorXd tension =
+            tensions_of(built, of.truth.unstressed_lengths, of.truth.form);
         tensions_off +=
             std::pow((stretch.tension - tension(stretch.edges).mean()) / stretch.tension_std, 2) /
             chains;
-        alone += identify(net, of.epochs[0].survey, options).stretches.at(0).std / chains;
-        both += stretch.std / chains;
+        alone += test::identify_lengths(net, of.epochs[0].survey, options).stretches.at(0).std_dev /
+                 chains;
+        both += stretch.std_dev / chains;
     }
     EXPECT_NEAR(std::sqrt(edges), 1.0, 0.1);
     EXPECT_NEAR(std::sqrt(stretches), 1.0, 0.4);
@@ -220,11 +227,12 @@ TEST(SlidingRuns, ArePredictedBeforeASurvey) {
     const CableNet net = ridge(0.1);
     const LengthPrior prior{LengthPrior::Kind::normal, 2e-3};
     const test::SimulatedSurvey s = test::simulate(net, prior, 0.5e-3, 2);
-    const Identification found = identify(net, s.survey, {.prior = prior, .prior_exact = true});
+    const Identification found =
+        test::identify_lengths(net, s.survey, {.prior = prior, .prior_exact = true});
     const PredictedPrecision predicted = predicted_precision(net, net.nodes(), s.survey, prior);
     ASSERT_EQ(predicted.edges.size(), found.edges.size());
     for (size_t i = 0; i < found.edges.size(); ++i) {
-        EXPECT_NEAR(predicted.edges[i].std / found.edges[i].std, 1.0, 0.25);
+        EXPECT_NEAR(predicted.edges[i].std_dev / found.edges[i].std_dev, 1.0, 0.25);
     }
     for (const TensionPrecision& one : predicted.force_candidates) {
         EXPECT_GT(one.edge, net.data().runs.at(0).edges.back());
@@ -237,8 +245,8 @@ TEST(SlidingRuns, ATurnThatWasNotMadeIsNamedWithItsCable) {
     const int end = net.data().runs.at(0).edges.back();
     done(end) = -4.0;
     const Identification found =
-        identify_epochs(net, turned_runs(net, 1, done).epochs,
-                        {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}});
+        test::identify_lengths(net, turned_runs(net, 1, done).epochs,
+                               {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}});
     ASSERT_EQ(found.trust.verdict(), Trust::Verdict::doubtful);
     EXPECT_THAT(found.trust.findings.at(0).reason,
                 testing::HasSubstr("or another of the cable that slides from 0 to 7 is given as "
@@ -252,8 +260,8 @@ TEST(SlidingRuns, ATurnThatWasNotMadeIsNoCreep) {
     done(net.data().runs.at(0).edges.front()) = -3.0;
     for (const std::uint64_t seed : {1, 2, 5}) {
         const Identification found =
-            identify_epochs(net, turned_runs(net, seed, done).epochs,
-                            {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}});
+            test::identify_lengths(net, turned_runs(net, seed, done).epochs,
+                                   {.prior = LengthPrior{LengthPrior::Kind::normal, 2e-3}});
         for (const Trust::Finding& finding : found.trust.findings) {
             EXPECT_NE(finding.kind, Trust::Finding::Kind::uncertain_parameter) << finding.reason;
         }
@@ -266,18 +274,18 @@ TEST(SlidingRuns, WhatTakesEdgesAsClampedIsRefused) {
     const test::SimulatedSurvey s =
         test::simulate(net, {LengthPrior::Kind::normal, 2e-3}, 0.5e-3, 1);
     const auto refused = [&](const IdentifyOptions& options, const char* text) {
-        EXPECT_THAT([&] { (void)identify(net, s.survey, options); },
+        EXPECT_THAT([&] { (void)test::identify_lengths(net, s.survey, options); },
                     testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(text)));
     };
     refused({.method = IdentificationMethod::gp}, "expected the method map");
-    refused({.forces = {.measurements = {{.edge = 1, .tension = 30e3, .std = 300.0}}}},
+    refused({.forces = {.measurements = {{.edge = 1, .tension = 30e3, .std_dev = 300.0}}}},
             "measure an edge that is clamped at both ends");
     const std::vector<Epoch> epochs(2, {.survey = s.survey, .turned = {}});
     EXPECT_THAT(
         [&] {
-            (void)identify_epochs(
+            (void)test::identify_lengths(
                 net, epochs,
-                {.forces = {.measurements = {{.edge = 1, .tension = 30e3, .std = 300.0}}}});
+                {.forces = {.measurements = {{.edge = 1, .tension = 30e3, .std_dev = 300.0}}}});
         },
         testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("clamped at both ends")));
 }

@@ -72,7 +72,7 @@ Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int
         for (int i = 0; i < net.interior_edge_count(); ++i) {
             const IdentifiedEdge& edge = result.edges[i];
             const double error = std::abs(edge.length_deviation - s.deviations(i));
-            tally.far_off += edge.status != EdgeStatus::slack && error > 5.0 * edge.std ? 1 : 0;
+            tally.far_off += edge.status != EdgeStatus::slack && error > 5.0 * edge.std_dev ? 1 : 0;
         }
         tally.inside += test::coverage(result, s.deviations) / surveys;
     }

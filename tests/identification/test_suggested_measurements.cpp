@@ -34,8 +34,8 @@ class Reference {
 public:
     Reference(const CableNet& net, const Survey& survey) : m_net(net), m_survey(survey) {
         const Eigen::Index count = net.interior_edge_count() + 3;
-        Eigen::VectorXd precision =
-            Eigen::VectorXd::Constant(count, 1.0 / (suggest_prior.std() * suggest_prior.std()));
+        Eigen::VectorXd precision = Eigen::VectorXd::Constant(
+            count, 1.0 / (suggest_prior.std_dev() * suggest_prior.std_dev()));
         precision.tail(3) << 1.0 / (0.05 * 0.05), 1.0 / (0.01 * 0.01), 1.0 / (0.02 * 0.02);
         const Eigen::MatrixXd seen = rates([&](const Eigen::VectorXd& x) {
             return Eigen::VectorXd(form(x, -1, 0.0)(Eigen::all, survey.surveyed).reshaped());
@@ -69,7 +69,7 @@ public:
         const Eigen::VectorXd mean = m_tensions.colwise().mean();
         return std::sqrt(mean.dot((m_information + more).ldlt().solve(mean)));
     }
-    [[nodiscard]] double std() const { return std_with(0.0 * m_information); }
+    [[nodiscard]] double std_dev() const { return std_with(0.0 * m_information); }
     [[nodiscard]] Eigen::VectorXd nominal_tensions() const {
         return tensions_at(Eigen::VectorXd::Zero(m_information.cols()));
     }
@@ -91,7 +91,7 @@ private:
     }
     [[nodiscard]] Eigen::VectorXd tensions_at(const Eigen::VectorXd& x) const {
         const CableNet net = net_at(x, -1, 0.0);
-        return tensions(net, net.unstressed_lengths(), solve_equilibrium(net).form);
+        return tensions_of(net, net.unstressed_lengths(), solve_equilibrium(net).form);
     }
     [[nodiscard]] Eigen::MatrixXd rates(
         const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& f) const {
@@ -115,7 +115,7 @@ TEST(SuggestedMeasurements, AreTheBestOnesOfAllByDifferencesOfEquilibria) {
         suggested_measurements(net, solve_equilibrium(net).form, survey, suggest_prior, {},
                                uncertain({"stiffness:5%", "forces:1%", "test-loads:2%"}), options);
     ASSERT_EQ(found.steps.size(), 3u);
-    EXPECT_NEAR(found.std, reference.std(), 1e-3 * found.std);
+    EXPECT_NEAR(found.std_dev, reference.std_dev(), 1e-3 * found.std_dev);
 
     std::vector<Eigen::MatrixXd> all;
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -127,8 +127,8 @@ TEST(SuggestedMeasurements, AreTheBestOnesOfAllByDifferencesOfEquilibria) {
     for (const int node : net.free_nodes()) {
         all.push_back(reference.of_load(node, options.load));
     }
-    double best_of_one = found.std;
-    double best_of_two = found.std;
+    double best_of_one = found.std_dev;
+    double best_of_two = found.std_dev;
     for (size_t i = 0; i < all.size(); ++i) {
         best_of_one = std::min(best_of_one, reference.std_with(all[i]));
         for (size_t k = 0; k < i; ++k) {
@@ -190,7 +190,7 @@ TEST(SuggestedMeasurements, OfTargetsLowerTheUncertaintyOfTheForm) {
     const MeasurementSuggestions whole =
         suggested_measurements(net, form, test::planned_survey(net, suggest_noise_std),
                                suggest_prior, {}, {}, {.quantity = SoughtQuantity::form});
-    EXPECT_NEAR(found.steps[1].remaining_std, whole.std, 1e-6 * whole.std);
+    EXPECT_NEAR(found.steps[1].remaining_std, whole.std_dev, 1e-6 * whole.std_dev);
 }
 
 TEST(SuggestedMeasurements, NeedAMassForFrequencies) {
@@ -218,7 +218,7 @@ TEST(SuggestedMeasurements, OfAnEdgeComeOnce) {
     const CableNet net = hypar(3, 3);
     const MeasurementSuggestions found = suggested_measurements(
         net, solve_equilibrium(net).form, test::planned_survey(net, suggest_noise_std),
-        suggest_prior, {.measurements = {{.edge = 3, .tension = 4000.0, .std = 80.0}}},
+        suggest_prior, {.measurements = {{.edge = 3, .tension = 4000.0, .std_dev = 80.0}}},
         uncertain({"stiffness:5%"}),
         {.quantity = SoughtQuantity::worst_tension,
          .costs = {{MeasurementKind::load, 100.0}},
@@ -228,7 +228,7 @@ TEST(SuggestedMeasurements, OfAnEdgeComeOnce) {
         if (step.edge >= 0) {
             edges.push_back(step.edge);
         }
-        EXPECT_LT(step.remaining_std, found.std);
+        EXPECT_LT(step.remaining_std, found.std_dev);
     }
     EXPECT_THAT(edges, testing::Not(testing::Contains(3)));
     EXPECT_GE(edges.size(), 2U);

@@ -10,7 +10,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "identification/parameter_spread.hpp"
 #include "identification/uncertain_nets.hpp"
+#include "sampling/uncertain_widths.hpp"
+#include "support/identify_lengths.hpp"
 #include "taut/statics/frame.hpp"
 #include "taut/statics/plausibility.hpp"
 
@@ -69,25 +72,24 @@ TEST_P(UncertainParameters, AreInTheIntervalsOfLengthsAndTensions) {
     for (int k = 0; k < surveys; ++k) {
         const Built truth = built(net, given, 100 + k);
         const Identification found =
-            identify(net, truth.simulated.survey, options_with(given, 100));
+            test::identify_lengths(net, truth.simulated.survey, options_with(given, 100));
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         lengths += coverage(found, truth.simulated.deviations) / surveys;
         ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->reason;
         tensions += tensions_held(found, truth.tensions) / (1.0 * surveys * net.edge_count());
         for (const ParameterEstimate& estimate : found.uncertain) {
             // The mixture over priors may be a little wider than each of its parts.
-            EXPECT_LE(estimate.std, 1.001 * estimate.prior_std);
+            EXPECT_LE(estimate.std_dev, 1.001 * estimate.prior_std);
             of_parameters[estimate.parameter.kind].add(
                 std::abs(estimate.mean - truth_of(truth.perturbation, net, estimate)) <=
-                half_interval_95 * estimate.std);
+                half_interval_95 * estimate.std_dev);
         }
     }
     EXPECT_NEAR(lengths, 0.95, 0.03);
     EXPECT_NEAR(tensions, 0.95, 0.04);
     for (const auto& [kind, count] : of_parameters) {
         // 16 of a common one, far more of the others.
-        EXPECT_GE(count.part(), count.all > 100 ? 0.92 : 0.75)
-            << UncertainParameter{.kind = kind}.name();
+        EXPECT_GE(count.part(), count.all > 100 ? 0.92 : 0.75) << to_string(kind);
     }
 }
 
@@ -132,7 +134,7 @@ TEST(Struts, AreIdentifiedWithTheCables) {
     for (int k = 0; k < 16; ++k) {
         const Built truth = built(net, given, 300 + k);
         const Identification found =
-            identify(net, truth.simulated.survey, options_with(given, 100));
+            test::identify_lengths(net, truth.simulated.survey, options_with(given, 100));
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
         lengths += coverage(found, truth.simulated.deviations) / 16;
@@ -161,17 +163,18 @@ TEST(Struts, MayBeMeasuredInCompression) {
     const Built truth = built(net, {}, 9);
     IdentifyOptions options = options_with({}, 100);
     const auto std_of_strut = [&](const Identification& found) {
-        return found.drawn.tensions[strut].tension.std;
+        return found.drawn.tensions[strut].tension.std_dev;
     };
-    const double without = std_of_strut(identify(net, truth.simulated.survey, options));
+    const double without =
+        std_of_strut(test::identify_lengths(net, truth.simulated.survey, options));
     options.forces.measurements = {
-        {.edge = strut, .tension = truth.tensions(strut), .std = 0.2 * without}};
-    const Identification found = identify(net, truth.simulated.survey, options);
+        {.edge = strut, .tension = truth.tensions(strut), .std_dev = 0.2 * without}};
+    const Identification found = test::identify_lengths(net, truth.simulated.survey, options);
     EXPECT_LT(std_of_strut(found), 0.3 * without);
     EXPECT_NEAR(found.drawn.tensions[strut].tension.mean, truth.tensions(strut), without);
     options.forces.measurements = {};
     options.forces.slack = {strut};
-    EXPECT_THAT([&] { (void)identify(net, truth.simulated.survey, options); },
+    EXPECT_THAT([&] { (void)test::identify_lengths(net, truth.simulated.survey, options); },
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("it is a strut")));
 }
 
@@ -181,8 +184,9 @@ void expect_same_lengths(const Identification& found, const Identification& expe
     ASSERT_EQ(found.edges.size(), expected.edges.size());
     for (size_t i = 0; i < found.edges.size(); ++i) {
         const IdentifiedEdge& edge = expected.edges[i];
-        EXPECT_NEAR(found.edges[i].length_deviation, edge.length_deviation, of_lengths * edge.std);
-        EXPECT_NEAR(found.edges[i].std, edge.std, of_stds * edge.std);
+        EXPECT_NEAR(found.edges[i].length_deviation, edge.length_deviation,
+                    of_lengths * edge.std_dev);
+        EXPECT_NEAR(found.edges[i].std_dev, edge.std_dev, of_stds * edge.std_dev);
     }
 }
 
@@ -191,12 +195,12 @@ TEST(ElasticSupports, MoveWithTheFrameOfTheSurvey) {
     const auto given = uncertain({"supports:1mm", "support-stiffness:10%"});
     Survey survey = built(net, given, 6).simulated.survey;
     survey.frame_is_unknown = true;
-    const Identification found = identify(net, survey, options_with(given));
+    const Identification found = test::identify_lengths(net, survey, options_with(given));
     const Eigen::Vector3d turn(1e-3, -2e-3, 1.5e-3);
     for (auto place : survey.form.colwise()) {
         place += turn.cross(Eigen::Vector3d(place)) + Eigen::Vector3d(4e-3, -3e-3, 6e-3);
     }
-    const Identification moved = identify(net, survey, options_with(given));
+    const Identification moved = test::identify_lengths(net, survey, options_with(given));
     ASSERT_EQ(moved.status, IdentificationStatus::converged);
     expect_same_lengths(moved, found, 0.03, 0.01);
     EXPECT_LT((moved.tensions - found.tensions).cwiseAbs().maxCoeff(),
@@ -204,7 +208,7 @@ TEST(ElasticSupports, MoveWithTheFrameOfTheSurvey) {
     EXPECT_LT(moved.residuals.mean(), 2.0 * noise);
     for (size_t k = 0; k < found.uncertain.size(); ++k) {
         EXPECT_NEAR(moved.uncertain[k].mean, found.uncertain[k].mean,
-                    0.03 * found.uncertain[k].std);
+                    0.03 * found.uncertain[k].std_dev);
     }
 }
 
@@ -239,7 +243,7 @@ TEST(ElasticSupports, OnOneFrameAreInTheIntervalsOfLengthsTensionsAndStiffness) 
     for (int k = 0; k < surveys; ++k) {
         const Built truth = built(net, given, 500 + k);
         const Identification found =
-            identify(net, truth.simulated.survey, options_with(given, 100));
+            test::identify_lengths(net, truth.simulated.survey, options_with(given, 100));
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
         lengths += coverage(found, truth.simulated.deviations) / surveys;
@@ -247,10 +251,10 @@ TEST(ElasticSupports, OnOneFrameAreInTheIntervalsOfLengthsTensionsAndStiffness) 
         // The net as identified has the form that was fitted.
         EXPECT_LT(found.residuals.mean(), 2.0 * noise);
         for (const ParameterEstimate& estimate : found.uncertain) {
-            EXPECT_LE(estimate.std, 1.001 * estimate.prior_std);
+            EXPECT_LE(estimate.std_dev, 1.001 * estimate.prior_std);
             (estimate.node >= 0 ? of_places : of_factor)
                 .add(std::abs(estimate.mean - truth_of(truth.perturbation, net, estimate)) <=
-                     half_interval_95 * estimate.std);
+                     half_interval_95 * estimate.std_dev);
         }
     }
     EXPECT_GE(of_places.part(), 0.92);
@@ -268,7 +272,7 @@ TEST(ElasticSupports, ThatStandFarFromTheirPlaceAreNamed) {
         CableNetData data = net.data();
         data.elastic_supports[1].place.x() += shift;
         const Survey survey = built(CableNet(data), given, 7).simulated.survey;
-        const Identification found = identify(net, survey, options_with(given));
+        const Identification found = test::identify_lengths(net, survey, options_with(given));
         EXPECT_EQ(found.trust.verdict(),
                   shift > 0.0 ? Trust::Verdict::doubtful : Trust::Verdict::passed);
         if (shift > 0.0) {
@@ -290,17 +294,18 @@ TEST(ElasticSupports, AreNoMissingCableWhereTheyStandUnloadedAtTheirNodes) {
     const CableNet net(std::move(data));
     EXPECT_TRUE(unit_warnings(net).empty());
     const Identification found =
-        identify(net, simulate(net, prior, noise, 2).survey, options_with({}));
+        test::identify_lengths(net, simulate(net, prior, noise, 2).survey, options_with({}));
     EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
 }
 
 TEST(UncertainParameter, ThatIsAsGoodAsKnownChangesNothing) {
     const CableNet net = loaded_net();
     const Survey survey = built(net, {}, 3).simulated.survey;
-    const Identification as_known = identify(net, survey, options_with({}));
+    const Identification as_known = test::identify_lengths(net, survey, options_with({}));
     const auto all_but_known = uncertain(
         {"supports:0.0001mm", "stiffness:0.0001%", "adjustable:0.0001mm", "loads:0.0001N"});
-    expect_same_lengths(identify(net, survey, options_with(all_but_known)), as_known, 0.02, 0.02);
+    expect_same_lengths(test::identify_lengths(net, survey, options_with(all_but_known)), as_known,
+                        0.02, 0.02);
 }
 
 // A form shows the ratio of tensions to loads: all tensions are as uncertain as the loads are.
@@ -314,7 +319,7 @@ TEST(UncertainParameter, LoadsOfASiteAreUncertain) {
     const auto inside = [&](const std::vector<UncertainParameter>& given) {
         IdentifyOptions options = options_with(given, 40);
         options.assume_site = given.empty();
-        const Identification found = identify(net, s.survey, options);
+        const Identification found = test::identify_lengths(net, s.survey, options);
         EXPECT_EQ(found.trust.verdict(), Trust::Verdict::passed);
         return tensions_held(found, truth);
     };
@@ -333,19 +338,19 @@ TEST(UncertainParameter, IsReportedAsNotObservedWhereNothingShowsIt) {
     const auto stiffness = uncertain({"stiffness:5%"});
     const Built truth = built(net, stiffness, 4);
     IdentifyOptions options = options_with(stiffness);
-    const Identification by_form = identify(net, truth.simulated.survey, options);
+    const Identification by_form = test::identify_lengths(net, truth.simulated.survey, options);
     ASSERT_EQ(by_form.uncertain.size(), 1U);
     EXPECT_FALSE(by_form.uncertain[0].is_observed());
-    EXPECT_NEAR(by_form.uncertain[0].std, 0.05, 0.001);
+    EXPECT_NEAR(by_form.uncertain[0].std_dev, 0.05, 0.001);
     for (int edge = 0; edge < net.edge_count(); edge += 5) {
         const double tension = truth.tensions(edge);
         options.forces.measurements.push_back(
-            {.edge = edge, .tension = tension, .std = 0.005 * tension});
+            {.edge = edge, .tension = tension, .std_dev = 0.005 * tension});
     }
-    const Identification by_cells = identify(net, truth.simulated.survey, options);
+    const Identification by_cells = test::identify_lengths(net, truth.simulated.survey, options);
     EXPECT_TRUE(by_cells.uncertain[0].is_observed());
     EXPECT_NEAR(by_cells.uncertain[0].mean, truth.perturbation.stiffness(0),
-                3.0 * by_cells.uncertain[0].std);
+                3.0 * by_cells.uncertain[0].std_dev);
 }
 
 // Supports three times as far off as given leave too narrow intervals: their own estimates show it.
@@ -355,7 +360,7 @@ TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
     for (int seed = 0; seed < 5; ++seed) {
         const auto found_of = [&](const char* truth) {
             const Built built_net = built(net, uncertain({truth}), 40 + seed);
-            return identify(net, built_net.simulated.survey, options_with(given));
+            return test::identify_lengths(net, built_net.simulated.survey, options_with(given));
         };
         EXPECT_NEAR(spread_ratio(found_of("supports:1mm").uncertain), 1.0, 0.4);
         // Single ones may be named in place of all.
@@ -367,7 +372,7 @@ TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
     // A single number of which the survey shows less than a twentieth says nothing.
     const auto ratio_shown = [](double part) {
         const std::vector<ParameterEstimate> one{
-            {.mean = 0.5, .std = std::sqrt(1.0 - part), .prior_std = 1.0}};
+            {.mean = 0.5, .std_dev = std::sqrt(1.0 - part), .prior_std = 1.0}};
         return spread_ratio(one);
     };
     EXPECT_EQ(ratio_shown(0.04), 0.0);
@@ -375,7 +380,8 @@ TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
     // Of sixty numbers, a twentieth of the variance may be that of three of them.
     const auto contradicted = [](double mean, double part) {
         const std::vector<ParameterEstimate> many(
-            60, {.mean = mean * std::sqrt(part), .std = std::sqrt(1.0 - part), .prior_std = 1.0});
+            60,
+            {.mean = mean * std::sqrt(part), .std_dev = std::sqrt(1.0 - part), .prior_std = 1.0});
         return spreads_of(many).at(0).is_contradicted();
     };
     EXPECT_FALSE(contradicted(2.0, 0.05));  // chi squared of 3: 14.2 by chance

@@ -113,8 +113,8 @@ void expect_as_built(const CableNet& found, const CableNet& net) {
         EXPECT_EQ(same->stiffness, support.stiffness);
         EXPECT_EQ(same->place, support.place);
     }
-    const Eigen::VectorXd expected = tensions(net, net.unstressed_lengths(), net.nodes());
-    const Eigen::VectorXd tension = tensions(found, found.unstressed_lengths(), found.nodes());
+    const Eigen::VectorXd expected = tensions_of(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd tension = tensions_of(found, found.unstressed_lengths(), found.nodes());
     for (int e = 0; e < net.edge_count(); ++e) {
         const int there = found.find_edge(net.edge_id(e));
         ASSERT_GE(there, 0);
@@ -167,7 +167,7 @@ TEST(Exports, HoldTensionsInTheFormThatIsGivenAndWhichEdgesAreSlack) {
     const CableNet net = net_with_everything();
     Points form = net.nodes();
     form.col(net.free_nodes()[0]).z() += 0.001;
-    const Eigen::VectorXd expected = tensions(net, net.unstressed_lengths(), form);
+    const Eigen::VectorXd expected = tensions_of(net, net.unstressed_lengths(), form);
     const auto document = nlohmann::json::parse(form_to_compas(net, form));
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
@@ -184,8 +184,8 @@ TEST(Exports, OfATensionLawHoldTheStiffnessWithWhichOthersFindItsTension) {
         import_net(parse_compas(form_to_compas(net, net.nodes()), "net.json"), {}).net;
     EXPECT_TRUE(linear.is_linear());
     // The edges come back in another order.
-    Eigen::VectorXd expected = tensions(net, net.unstressed_lengths(), net.nodes());
-    Eigen::VectorXd found = tensions(linear, linear.unstressed_lengths(), linear.nodes());
+    Eigen::VectorXd expected = tensions_of(net, net.unstressed_lengths(), net.nodes());
+    Eigen::VectorXd found = tensions_of(linear, linear.unstressed_lengths(), linear.nodes());
     std::ranges::sort(expected);
     std::ranges::sort(found);
     EXPECT_TRUE(found.isApprox(expected, 1e-9));

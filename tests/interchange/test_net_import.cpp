@@ -59,7 +59,7 @@ TEST(ImportNet, CutsEdgesSoThatTheyCarryTheFilesForceDensities) {
     EXPECT_EQ(net.node_id(4), "4");
     EXPECT_EQ(net.edge_id(0), "0-4");
     const Eigen::VectorXd expected = Eigen::Vector4d(3, 2, 2, 2) * 1e3 * 1.5;
-    EXPECT_LT((tensions(net, net.unstressed_lengths(), net.nodes()) - expected).norm(), 1e-8);
+    EXPECT_LT((tensions_of(net, net.unstressed_lengths(), net.nodes()) - expected).norm(), 1e-8);
     EXPECT_NEAR(net.axial_stiffness()(0), EA, 1e-9 * EA);
 }
 
@@ -72,8 +72,9 @@ TEST(ImportNet, TakesARadiusByEitherName) {
 
 TEST(ImportNet, TakesForcesForNewtonsAndSaysSoWhereNoUnitIsGiven) {
     const ImportedNet imported = import(old_compas_mesh());
-    EXPECT_NEAR(tensions(imported.net, imported.net.unstressed_lengths(), imported.net.nodes())(1),
-                3.0, 1e-6);
+    EXPECT_NEAR(
+        tensions_of(imported.net, imported.net.unstressed_lengths(), imported.net.nodes())(1), 3.0,
+        1e-6);
     EXPECT_THAT(imported.report.assumed, Contains(HasSubstr("forces of the file are in N")));
 }
 
@@ -83,7 +84,7 @@ TEST(ImportNet, TakesForcesOverLengthsWhereThereAreNoForceDensities) {
     file["edgedata"]["(4, 0)"].erase("q");
     file["dea"]["f"] = 3.0;
     const CableNet net = import(file).net;
-    EXPECT_NEAR(tensions(net, net.unstressed_lengths(), net.nodes())(2), 3.0, 1e-6);
+    EXPECT_NEAR(tensions_of(net, net.unstressed_lengths(), net.nodes())(2), 3.0, 1e-6);
 }
 
 TEST(ImportNet, TakesStoredLengthsThatAgreeWithTheForcesAndFindsTheUnitByThem) {
@@ -124,7 +125,7 @@ TEST(ImportNet, TakesATableOfStressOverStrainTimesTheAreaOfEachEdge) {
     EXPECT_NEAR(net.tension_law(0)->at(0.001).tension, 2e8 * area, 1e-6);
     EXPECT_NEAR(net.axial_stiffness()(0), 3e11 * area, 1e-3);
     // 3 kN is above the flat part.
-    EXPECT_NEAR(tensions(net, net.unstressed_lengths(), net.nodes())(1), 3000.0, 1e-6);
+    EXPECT_NEAR(tensions_of(net, net.unstressed_lengths(), net.nodes())(1), 3000.0, 1e-6);
     EXPECT_NEAR(net.unstressed_lengths()(1), 1.5 / (1.0 + 0.002 + (3000.0 / area - 2e8) / 3e11),
                 1e-12);
     EXPECT_THAT(imported.report.read, Contains(HasSubstr("stress over strain of 4 points")));

@@ -3,7 +3,7 @@
 //
 // Guards against a surface that is read as another one: coordinates that lose digits, faces of the
 // wrong vertices, a polygon that is cut outside of itself, and a file that is cut.
-#include "taut/interchange/surface_mesh.hpp"
+#include "interchange/surface_mesh.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

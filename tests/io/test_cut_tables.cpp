@@ -10,16 +10,16 @@
 #include <algorithm>
 #include <functional>
 
+#include "interchange/surface_mesh.hpp"
+#include "io/target_list.hpp"
 #include "support/errors.hpp"
 #include "support/small_nets.hpp"
 #include "taut/interchange/foreign_survey.hpp"
 #include "taut/interchange/net_csv.hpp"
 #include "taut/interchange/obj.hpp"
-#include "taut/interchange/surface_mesh.hpp"
 #include "taut/io/forces_csv.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
-#include "taut/io/target_list.hpp"
 
 namespace taut {
 namespace {

@@ -21,7 +21,7 @@ TEST(ForcesCsv, AreReadByTheNamesOfEdges) {
     ASSERT_EQ(measurements.size(), 2U);
     EXPECT_EQ(measurements[0].edge, 2);
     EXPECT_EQ(measurements[0].tension, 1500.0);
-    EXPECT_EQ(measurements[0].std, 30.0);
+    EXPECT_EQ(measurements[0].std_dev, 30.0);
     EXPECT_EQ(measurements[1].edge, 0);
 }
 
@@ -30,8 +30,8 @@ TEST(ForcesCsv, AreInTheUnitAndWithTheDeviationOfTheFormat) {
         return parse_force_measurements(two_node_net(), text, "f.csv", format).front();
     };
     EXPECT_EQ(measurement("ab;1.5\n", {.unit = 1e3}).tension, 1500.0);
-    EXPECT_DOUBLE_EQ(measurement("ab;1.5\n", {.unit = 1e3, .relative_std = 0.01}).std, 15.0);
-    EXPECT_EQ(measurement("ab,0\n", {.std = 20.0}).std, 20.0);
+    EXPECT_DOUBLE_EQ(measurement("ab;1.5\n", {.unit = 1e3, .relative_std = 0.01}).std_dev, 15.0);
+    EXPECT_EQ(measurement("ab,0\n", {.std_dev = 20.0}).std_dev, 20.0);
 }
 
 TEST(ForcesCsv, AreNoListOfEdges) {

@@ -75,7 +75,7 @@ TEST_F(FrameCsv, GivesOneOrBothTrianglesOfAListOrAWholeMatrix) {
     EXPECT_EQ(net.adjustable_edges(), m_net.adjustable_edges());
     // As far out of balance as the nominal form was.
     const auto share = [](const CableNet& of) {
-        return imbalance(of, of.unstressed_lengths(), of.nodes()).largest;
+        return imbalance_of(of, of.unstressed_lengths(), of.nodes()).largest;
     };
     EXPECT_NEAR(share(net), share(m_net), 1e-9);
 }

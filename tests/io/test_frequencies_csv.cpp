@@ -21,11 +21,11 @@ TEST(FrequenciesCsv, AreOfTheFirstModeAndHaveAPartAsDeviationUnlessGiven) {
     ASSERT_EQ(short_form.size(), 1U);
     EXPECT_EQ(short_form[0].edge, 2);
     EXPECT_EQ(short_form[0].mode, 1);
-    EXPECT_DOUBLE_EQ(short_form[0].std, 0.25);
+    EXPECT_DOUBLE_EQ(short_form[0].std_dev, 0.25);
     const auto all =
         parse_frequencies(two_node_net(), "edge,frequency,mode,std\nab,25,2,0.1\n", "f.csv");
     EXPECT_EQ(all[0].mode, 2);
-    EXPECT_EQ(all[0].std, 0.1);
+    EXPECT_EQ(all[0].std_dev, 0.1);
 }
 
 TEST(FrequenciesCsv, WithoutAnyStandardDeviationAreRefused) {

@@ -81,7 +81,7 @@ TEST_F(ModelH5, KeepsMeanFunctionAndKernel) {
 TEST_F(ModelH5, HasNoFormPriorOfALargeNet) {
     const NetFile large{.net = hypar(26, 40), .unknown_keys = "{}"};
     const DataSet data = draw_samples(Sampler(large.net, {}, 1), 3);
-    const LengthModel model = train(large.net, data, {0, 1, 2});
+    const LengthModel model = train_model(large.net, data, {0, 1, 2});
     EXPECT_EQ(model.form_prior.mean.size(), 0);
     expect_kept(model, large);
 }
@@ -117,7 +117,7 @@ TEST_F(ModelH5, KeepsSpectraOfLowRankAndTheirErrors) {
     const LengthEstimates before = estimate_lengths(m_net.net, model, m_data.form_deviations);
     const LengthEstimates after = estimate_lengths(m_net.net, back, m_data.form_deviations);
     EXPECT_TRUE(same_bits(before.mean, after.mean));
-    EXPECT_TRUE(same_bits(before.std, after.std));
+    EXPECT_TRUE(same_bits(before.std_dev, after.std_dev));
 }
 
 TEST_F(ModelH5, RefusesToWriteWhatItCouldNotReadAgain) {

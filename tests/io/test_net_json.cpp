@@ -201,8 +201,9 @@ TEST(NetJson, TakesPlacesOfElasticSupportsFromTheNodesOrFromTheBalance) {
     EXPECT_EQ(net.elastic_supports()[0].stiffness, 5e5 * Eigen::Matrix3d::Identity());
     json["support_place"] = "balanced";
     const CableNet balanced = parse_net(json.dump(), "net.json").net;
-    EXPECT_LT(imbalance(balanced, balanced.unstressed_lengths(), balanced.nodes()).share(), 1e-9);
-    EXPECT_GT(imbalance(net, net.unstressed_lengths(), net.nodes()).share(), 0.5);
+    EXPECT_LT(imbalance_of(balanced, balanced.unstressed_lengths(), balanced.nodes()).share(),
+              1e-9);
+    EXPECT_GT(imbalance_of(net, net.unstressed_lengths(), net.nodes()).share(), 0.5);
 }
 
 TEST(NetJson, TakesCouplingsOfSupportsByTheirNodesInAnyOrder) {

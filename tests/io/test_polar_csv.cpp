@@ -128,10 +128,10 @@ TEST(Angle, IsReadWithItsUnit) {
 
 TEST(DistancePrecision, IsALengthAndAPartOfTheDistance) {
     const DistancePrecision both = parse_distance_precision("1mm+1.5ppm");
-    EXPECT_EQ(both.std, 1e-3);
+    EXPECT_EQ(both.std_dev, 1e-3);
     EXPECT_NEAR(both.part, 1.5e-6, 1e-20);
     EXPECT_NEAR(both.std_at(1000.0), 2.5e-3, 1e-15);
-    EXPECT_EQ(parse_distance_precision("2 mm + 2 ppm").std, 2e-3);
+    EXPECT_EQ(parse_distance_precision("2 mm + 2 ppm").std_dev, 2e-3);
     EXPECT_EQ(parse_distance_precision("0.5mm").part, 0.0);
     for (const char* text : {"", "0mm", "1mm+", "1mm+2", "1mm+2mm", "ppm", "1mm+-1ppm", "1.5ppm"}) {
         EXPECT_THROW(static_cast<void>(parse_distance_precision(text)), std::invalid_argument)

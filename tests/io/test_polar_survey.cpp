@@ -12,10 +12,10 @@
 
 #include "support/errors.hpp"
 #include "support/scratch.hpp"
+#include "survey/covariance.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/read_survey.hpp"
-#include "taut/survey/covariance.hpp"
 #include "taut/survey/simulation.hpp"
 
 namespace taut {
@@ -79,8 +79,8 @@ TEST_F(PolarFile, GivesEveryNodeWithItsCovarianceInTheNetsFrame) {
         // Two stations: no direction is known by the distances alone, of 1 mm, and the best is by
         // angles, of 0.3 mgon at 3 to 9 m.
         const Eigen::Vector3d variances =
-            covariance_of(
-                {.std = survey.noise_std.col(node), .correlations = survey.correlations_of(node)})
+            covariance_of({.std_dev = survey.noise_std.col(node),
+                           .correlations = survey.correlations_of(node)})
                 .selfadjointView<Eigen::Lower>()
                 .eigenvalues();
         EXPECT_LT(std::sqrt(variances.minCoeff()), 0.045e-3);
@@ -97,7 +97,7 @@ TEST_F(PolarFile, TakesTheGivenPrecisionElseSaysWhichIsAssumed) {
             "gives no precision of its observations: that of a common total station is assumed, "
             "angles 0.3 mgon, distances 1 mm + 1.5 ppm"));
     const Survey given = read(text, {.angle_std = 0.6e-3 * gon,
-                                     .distance = DistancePrecision{.std = 2e-3, .part = 3e-6}});
+                                     .distance = DistancePrecision{.std_dev = 2e-3, .part = 3e-6}});
     EXPECT_THAT(given.warnings, IsEmpty());
     EXPECT_THAT(given.notes, Contains(HasSubstr("angles 0.6 mgon, distances 2 mm + 3 ppm")));
     // Twice as large, all of it.

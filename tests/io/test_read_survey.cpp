@@ -215,8 +215,8 @@ TEST_F(ReadSurvey, LeavesNothingThatItsOwnReaderRefusedToThatOfForeignTables) {
 
 TEST_F(ReadSurvey, ShowsANoiseThatWasComputedToAFewDigits) {
     const std::string text = table("", [](int node, double x, double y, double z) {
-        constexpr const char* std = ",0.000512345678901,0.000512345678901,0.000512345678901";
-        return fmt::format("{},{:.3f},{:.3f},{:.3f}{}", node, x, y, z + 0.00123, std);
+        constexpr const char* std_dev = ",0.000512345678901,0.000512345678901,0.000512345678901";
+        return fmt::format("{},{:.3f},{:.3f},{:.3f}{}", node, x, y, z + 0.00123, std_dev);
     });
     EXPECT_THAT(read(text, "a.csv").notes, Contains(HasSubstr(": 0.5123mm becomes ")));
 }
@@ -227,11 +227,11 @@ protected:
     std::string text(const std::string& header, char separator, const std::string& of_seventh,
                      const std::string& of_eighth) const {
         std::string all = table(header, [&](int node, double x, double y, double z) {
-            const std::string std = node == 7   ? of_seventh
-                                    : node == 8 ? of_eighth
-                                                : ",0.0005,0.0005,0.0006";
+            const std::string std_dev = node == 7   ? of_seventh
+                                        : node == 8 ? of_eighth
+                                                    : ",0.0005,0.0005,0.0006";
             return fmt::format("{},{:.4f},{:.4f},{:.4f}{}", node, x, y, z + 0.00123 * (node % 3),
-                               std);
+                               std_dev);
         });
         std::ranges::replace(all, ',', separator);
         return all;

@@ -54,14 +54,14 @@ TEST(RecordCsv, OfAPluckedCableHasItsFundamental) {
     const CableFrequency found = cable_frequency(parse_vibration_record(
         read_file(TAUT_TEST_DATA_DIR "/records/plucked.csv"), "plucked.csv"));
     ASSERT_TRUE(found.fundamental) << found.message;
-    EXPECT_NEAR(found.fundamental->frequency, 5.1268, 3.0 * found.fundamental->std);
-    EXPECT_LT(found.fundamental->std, 0.02);
+    EXPECT_NEAR(found.fundamental->frequency, 5.1268, 3.0 * found.fundamental->std_dev);
+    EXPECT_LT(found.fundamental->std_dev, 0.02);
 }
 
 TEST(RecordCsv, OfAnEdgeIsALineForIdentify) {
     Fundamental fundamental;
     fundamental.frequency = 4.5;
-    fundamental.std = 0.01;
+    fundamental.std_dev = 0.01;
     EXPECT_EQ(frequency_to_csv("a,b", fundamental),
               "edge,frequency,mode,std\n\"a,b\",4.5,1,0.01\n");
 }

@@ -21,8 +21,8 @@ TEST(SagCsv, HasManyPointsOfAnEdge) {
     ASSERT_EQ(points.size(), 2U);
     EXPECT_EQ(points[1].edge, 2);
     EXPECT_EQ(points[1].position.x(), 0.5);
-    EXPECT_EQ(points[1].std, 0.003);
-    EXPECT_EQ(parse_sag_points(two_node_net(), "ab,0.2,0,0.1\n", "f.csv", 1e-3)[0].std, 1e-3);
+    EXPECT_EQ(points[1].std_dev, 0.003);
+    EXPECT_EQ(parse_sag_points(two_node_net(), "ab,0.2,0,0.1\n", "f.csv", 1e-3)[0].std_dev, 1e-3);
 }
 
 TEST(SagCsv, IsRefusedWithLineAndRule) {

@@ -3,7 +3,7 @@
 
 // Guards against a survey that is taken for a plan of targets, or the other way round.
 
-#include "taut/io/target_list.hpp"
+#include "io/target_list.hpp"
 
 #include <gmock/gmock.h>
 

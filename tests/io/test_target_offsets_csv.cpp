@@ -19,9 +19,9 @@ TEST(TargetOffsetsCsv, AreReadWithTheirUnits) {
         parse_target_offsets("target,offset,std\nprism,3mm,0.2mm\n17,-0.005,0\n", "o.csv");
     ASSERT_EQ(offsets.size(), 2U);
     EXPECT_DOUBLE_EQ(offsets.at("prism").offset, 0.003);
-    EXPECT_DOUBLE_EQ(offsets.at("prism").std, 0.0002);
+    EXPECT_DOUBLE_EQ(offsets.at("prism").std_dev, 0.0002);
     EXPECT_DOUBLE_EQ(offsets.at("17").offset, -0.005);
-    EXPECT_EQ(parse_target_offsets("a;1cm\n", "o.csv").at("a").std, 0.0);
+    EXPECT_EQ(parse_target_offsets("a;1cm\n", "o.csv").at("a").std_dev, 0.0);
 }
 
 TEST(TargetOffsetsCsv, RefuseWhatTheyCannotMean) {

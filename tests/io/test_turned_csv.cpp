@@ -25,9 +25,9 @@ TEST(TurnedCsv, IsReadByTheNamesOfEdges) {
     ASSERT_EQ(turned.size(), 2U);
     EXPECT_EQ(turned[0].edge, 0);
     EXPECT_EQ(turned[0].stroke, -3e-3);
-    EXPECT_EQ(turned[0].std, 0.0);
+    EXPECT_EQ(turned[0].std_dev, 0.0);
     EXPECT_EQ(turned[1].edge, 4);
-    EXPECT_EQ(turned[1].std, 0.0002);
+    EXPECT_EQ(turned[1].std_dev, 0.0002);
 }
 
 TEST(TurnedCsv, AddsUpThePassesOfAListOfAnyVersion) {

@@ -54,26 +54,27 @@ RC_GTEST_PROP(TensionLaw, BlurredIsItsMeanOverTheStrain, ()) {
     test::Random random = test::any_random();
     const TensionLaw it = test::random_law(random, 1e5);
     const double strain = test::uniform(random, -0.01, 0.08);
-    const double std = test::uniform(random, 1e-4, 0.02);
+    const double std_dev = test::uniform(random, 1e-4, 0.02);
     constexpr int count = 4000;
     double mean = 0.0;
     double with_step = 0.0;
     double squares = 0.0;
-    const auto [tension, slope, curvature] = it.blurred(strain, std);
+    const auto [tension, slope, curvature] = it.blurred(strain, std_dev);
     for (int i = 0; i < count; ++i) {  // midpoints of [-8, 8] standard deviations
         const double z = -8.0 + 16.0 * (i + 0.5) / count;
         const double weight =
             16.0 / count * std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
-        const double there = it.at(strain + std * z).tension;
+        const double there = it.at(strain + std_dev * z).tension;
         mean += weight * there;
-        with_step += weight * there * z / std;
-        squares += weight * std::pow(there - tension - slope * std * z, 2);
+        with_step += weight * there * z / std_dev;
+        squares += weight * std::pow(there - tension - slope * std_dev * z, 2);
     }
     RC_ASSERT(std::abs(tension - mean) < 1e-2);
     RC_ASSERT(std::abs(slope - with_step) < 1e-5 * 1e5);  // Stein's lemma
     // By 40 quantiles, which cut off the tails.
-    const double whole = std::pow(it.steepest() * std, 2);
-    RC_ASSERT(std::abs(it.missed_by_blurred(strain, std) - squares) < 0.1 * squares + 5e-3 * whole);
+    const double whole = std::pow(it.steepest() * std_dev, 2);
+    RC_ASSERT(std::abs(it.missed_by_blurred(strain, std_dev) - squares) <
+              0.1 * squares + 5e-3 * whole);
 }
 
 RC_GTEST_PROP(TensionLaw, TensionAndStrainAreInverseWhereItRises, ()) {

@@ -12,7 +12,7 @@ using taut::TruncatedMixture;
 
 TEST(TruncatedMixture, HasTheQuantilesOfItsDensity) {
     const boost::math::normal normal(2.0, 0.5);
-    const TruncatedMixture above({{.mean = 2.0, .std = 0.5, .lower = 2.0, .upper = 1e3}});
+    const TruncatedMixture above({{.mean = 2.0, .std_dev = 0.5, .lower = 2.0, .upper = 1e3}});
     for (const double p : {0.025, 0.5, 0.975}) {
         EXPECT_NEAR(above.quantile(p), quantile(normal, 0.5 + 0.5 * p), 1e-9);
         EXPECT_NEAR(above.cumulative(above.quantile(p)), p, 1e-9);
@@ -21,7 +21,7 @@ TEST(TruncatedMixture, HasTheQuantilesOfItsDensity) {
 
 TEST(TruncatedMixture, OfOneNumberHasItAsEachQuantile) {
     // A width that is less than the digits of its place.
-    const TruncatedMixture narrow({{.mean = 1.0, .std = 1e-20, .lower = 0.0, .upper = 2.0}});
+    const TruncatedMixture narrow({{.mean = 1.0, .std_dev = 1e-20, .lower = 0.0, .upper = 2.0}});
     for (const double p : {0.025, 0.5, 0.975}) {
         EXPECT_EQ(narrow.quantile(p), 1.0);
     }

@@ -41,7 +41,7 @@ TEST(ResultFile, OfAStudyGivesItsNumbersBack) {
         study.data.length_deviations.col(study.validation.front()), 1e-8));
     EXPECT_TRUE(read.identified_deviation.isApprox(study.estimates.mean.col(0), 1e-8));
     EXPECT_TRUE(read.error_mean.isApprox(study.as_in_paper().errors.mean, 1e-5));
-    EXPECT_TRUE(read.error_std.isApprox(study.as_in_paper().errors.std, 1e-5));
+    EXPECT_TRUE(read.error_std.isApprox(study.as_in_paper().errors.std_dev, 1e-5));
     EXPECT_EQ(read.errors.cols(), 5);
     EXPECT_TRUE(read.errors.rowwise().mean().isApprox(study.as_in_paper().errors.mean, 1e-3));
     EXPECT_TRUE(read.nominal_form_error.isApprox(study.nominal_form_error, 1e-5));

@@ -12,6 +12,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "support/identify_lengths.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/results/result_file.hpp"
@@ -42,8 +43,8 @@ TEST(IdentificationJson, HasThePriorOfEachMethod) {
     for (const double noise : {0.0, 1e-4}) {
         const Survey survey = whole_survey(net, noise);
         for (const auto method : {IdentificationMethod::balance, IdentificationMethod::map}) {
-            const Identification result =
-                identify(net, survey, {.method = method, .prior = prior, .prior_exact = true});
+            const Identification result = test::identify_lengths(
+                net, survey, {.method = method, .prior = prior, .prior_exact = true});
             EXPECT_EQ(written(net, survey, result)["length_prior"], "normal:2mm")
                 << result.method << noise;
         }
@@ -55,7 +56,7 @@ TEST(IdentificationJson, HasTheCovarianceOfEachPlaceThatTheMethodGives) {
     Survey survey = whole_survey(net, 1e-4);
     const LengthPrior prior = parse_length_prior("normal:2mm");
     const Identification result =
-        identify(net, survey, {.method = IdentificationMethod::map, .prior = prior});
+        test::identify_lengths(net, survey, {.method = IdentificationMethod::map, .prior = prior});
     const json saved = written(net, survey, result)["form_covariance"];
     ASSERT_EQ(saved.size(), static_cast<size_t>(net.node_count()));
     for (int node = 0; node < net.node_count(); ++node) {
@@ -69,8 +70,8 @@ TEST(IdentificationJson, HasTheCovarianceOfEachPlaceThatTheMethodGives) {
         }
     }
     survey.noise_std.setZero();
-    const Identification exact =
-        identify(net, survey, {.method = IdentificationMethod::balance, .prior = prior});
+    const Identification exact = test::identify_lengths(
+        net, survey, {.method = IdentificationMethod::balance, .prior = prior});
     EXPECT_TRUE(written(net, survey, exact)["form_covariance"].is_null());
 }
 
@@ -78,7 +79,7 @@ TEST(IdentificationJson, HasTheFrameThatTheSurveyWasMovedInto) {
     const CableNet net = hypar(3, 4);
     Survey survey = whole_survey(net, 1e-4);
     const Identification result =
-        identify(net, survey, {.prior = parse_length_prior("uniform:5mm")});
+        test::identify_lengths(net, survey, {.prior = parse_length_prior("uniform:5mm")});
     EXPECT_TRUE(written(net, survey, result)["frame"].is_null());
     EXPECT_TRUE(written(net, survey, result)["survey"]["control"].empty());
 

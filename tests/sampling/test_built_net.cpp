@@ -29,8 +29,8 @@ TEST(BuiltNet, HasInteriorLengthsOfThePriorAndAllElseAsDesigned) {
     const CableNet net = hypar(6, 8);
     const Eigen::VectorXd drawn = deviations(net, 7);
     EXPECT_LE(drawn.cwiseAbs().maxCoeff(), built_prior.scale);
-    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), built_prior.std(),
-                0.2 * built_prior.std());
+    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), built_prior.std_dev(),
+                0.2 * built_prior.std_dev());
     CableNetData data = built_net(net, built_prior, 7).data();
     for (const int edge : net.adjustable_edges()) {
         EXPECT_EQ(data.unstressed_lengths(edge), net.unstressed_lengths()(edge));

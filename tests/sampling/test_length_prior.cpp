@@ -69,7 +69,8 @@ TEST_P(EachPrior, HasTheDistributionItIsNamedAfter) {
 }
 
 TEST_P(EachPrior, HasTheStandardDeviationItReports) {
-    EXPECT_NEAR(std::sqrt(m_deviations.squaredNorm() / draws), m_prior.std(), 0.01 * m_prior.std());
+    EXPECT_NEAR(std::sqrt(m_deviations.squaredNorm() / draws), m_prior.std_dev(),
+                0.01 * m_prior.std_dev());
 }
 
 TEST_P(EachPrior, ReachesAsFarAsItsDrawsAndNoFurther) {
@@ -81,18 +82,18 @@ TEST_P(EachPrior, ReachesAsFarAsItsDrawsAndNoFurther) {
     EXPECT_GT(std::abs(m_prior.draw(0x1p-53)), 0.98 * m_prior.reach());
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EachPrior,
-                         testing::Values(LengthPrior{LengthPrior::Kind::uniform, 0.005},
-                                         LengthPrior{LengthPrior::Kind::normal, 0.002},
-                                         LengthPrior{LengthPrior::Kind::bimodal, 0.005}),
-                         [](const auto& kind) {
-                             return kind.param.to_string().substr(0,
-                                                                  kind.param.to_string().find(':'));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, EachPrior,
+    testing::Values(LengthPrior{LengthPrior::Kind::uniform, 0.005},
+                    LengthPrior{LengthPrior::Kind::normal, 0.002},
+                    LengthPrior{LengthPrior::Kind::bimodal, 0.005}),
+    [](const auto& kind) {
+        return to_string(kind.param).substr(0, to_string(kind.param).find(':'));
+    });
 
 TEST(KolmogorovStatistic, DistinguishesPriorsOfTheSameStandardDeviation) {
     const LengthPrior uniform{LengthPrior::Kind::uniform, 0.005};
-    const LengthPrior normal{LengthPrior::Kind::normal, uniform.std()};
+    const LengthPrior normal{LengthPrior::Kind::normal, uniform.std_dev()};
     EXPECT_GT(kolmogorov_statistic(normal, taut::draw_length_deviations(uniform, 1, 0, draws)),
               10.0);
 }
@@ -106,9 +107,9 @@ TEST(LengthPrior, IsReadFromItsNameAndItsScale) {
 }
 
 TEST(LengthPrior, IsWrittenInMillimetres) {
-    EXPECT_EQ((LengthPrior{LengthPrior::Kind::uniform, 0.005}).to_string(), "uniform:5mm");
-    EXPECT_EQ((LengthPrior{LengthPrior::Kind::normal, 0.0023}).to_string(), "normal:2.3mm");
-    EXPECT_EQ((LengthPrior{LengthPrior::Kind::bimodal, 1.0}).to_string(), "bimodal:1000mm");
+    EXPECT_EQ(to_string(LengthPrior{LengthPrior::Kind::uniform, 0.005}), "uniform:5mm");
+    EXPECT_EQ(to_string(LengthPrior{LengthPrior::Kind::normal, 0.0023}), "normal:2.3mm");
+    EXPECT_EQ(to_string(LengthPrior{LengthPrior::Kind::bimodal, 1.0}), "bimodal:1000mm");
 }
 
 RC_GTEST_PROP(LengthPrior, IsReadBackAsWritten, ()) {
@@ -116,7 +117,7 @@ RC_GTEST_PROP(LengthPrior, IsReadBackAsWritten, ()) {
         .kind = *rc::gen::element(LengthPrior::Kind::uniform, LengthPrior::Kind::normal,
                                   LengthPrior::Kind::bimodal),
         .scale = static_cast<double>(*rc::gen::inRange<std::int64_t>(1, 1'000'000'000'000)) / 3e12};
-    RC_ASSERT(parse_length_prior(prior.to_string()) == prior);
+    RC_ASSERT(parse_length_prior(to_string(prior)) == prior);
 }
 
 TEST(LengthPrior, IsRefusedByNameWhereItsScaleIsNotPositiveAndFinite) {

@@ -60,7 +60,7 @@ double imbalance(const CableNet& net, const DataSet& data, int k) {
     const Points form = form_of(net, data, k);
     const Eigen::VectorXd forces = out_of_balance_forces(net, lengths, form);
     return forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff() /
-           tensions(net, lengths, form).mean();
+           tensions_of(net, lengths, form).mean();
 }
 
 void expect_balance(const CableNet& net, const DataSet& data) {
@@ -140,11 +140,11 @@ TEST(Sampler, GivesTheSameBitsOnOneThreadAndOnTwo) {
 TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
     const CableNet net = hypar(4, 5);
     const Sampler sampler(net, uniform_5mm, 1);
-    DataSet in_parts = sampler.empty();
+    DataSet in_parts = sampler.no_samples();
     for (const int count : {1, 2, 17, 17, 4}) {
-        sampler.extend(in_parts, count);
+        sampler.extend_to(in_parts, count);
     }
-    Sampler(net, uniform_5mm, 1).extend(in_parts, 40);  // another one goes on
+    Sampler(net, uniform_5mm, 1).extend_to(in_parts, 40);  // another one goes on
     expect_same(in_parts, draw(net, 40));
 }
 
@@ -156,14 +156,14 @@ TEST(Sampler, KeepsWholeBlocksWhenStoppedWhileItWorks) {
     std::atomic<int> asked = 0;
     // After the first block, whose 16 samples ask once each, and not at the end of a later one.
     const Progress progress{.stop_requested = [&] { return ++asked > 100; }};
-    EXPECT_THROW(sampler.extend(data, 300'000, progress, [&] { sizes.push_back(data.size()); }),
+    EXPECT_THROW(sampler.extend_to(data, 300'000, progress, [&] { sizes.push_back(data.size()); }),
                  Interrupted);
     ASSERT_FALSE(sizes.empty());
     EXPECT_EQ(sizes.front(), 26);
     EXPECT_EQ(data.size(), sizes.back());
     EXPECT_LT(data.size(), 110);
     expect_same(data, draw(net, data.size()));
-    sampler.extend(data, 120);
+    sampler.extend_to(data, 120);
     expect_same(data, draw(net, 120));
 }
 
@@ -193,7 +193,7 @@ TEST(Sampler, LeavesTheDataSetAsItWasWhereASampleCannotBeDrawn) {
         }
         return false;
     }};
-    EXPECT_THROW(sampler.extend(data, 20, progress), std::domain_error);
+    EXPECT_THROW(sampler.extend_to(data, 20, progress), std::domain_error);
     expect_same(data, draw(net, 10));
 }
 
@@ -262,7 +262,7 @@ TEST(SamplePart, JoinsToWhatOneCallDraws) {
         parts.push_back(sampler.part(first, first == 5 ? 7 : 5));
     }
     expect_same(sampler.joined(parts), draw(net, 17, uniform_5mm, 7));
-    expect_same(sampler.joined({}), sampler.empty());
+    expect_same(sampler.joined({}), sampler.no_samples());
     expect_same(sampler.joined({sampler.part(0, 2), sampler.part(0, 0), sampler.part(2, 3)}),
                 draw(net, 5, uniform_5mm, 7));
 }

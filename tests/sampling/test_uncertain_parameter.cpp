@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "sampling/uncertain_widths.hpp"
 #include "support/refusals.hpp"
 #include "support/uncertain.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -28,10 +29,10 @@ TEST(UncertainParameter, IsReadBackAsWritten) {
     for (const std::string text :
          {"stiffness:5%", "stiffness:0.5%@ridge", "stiffness-each:3%", "temperature:10K",
           "temperature:2.5K@a@b", "supports:1mm", "adjustable:0.5mm", "loads:20N", "loads:10%"}) {
-        EXPECT_EQ(parse_uncertain_parameter(text).to_string(), text);
+        EXPECT_EQ(to_string(parse_uncertain_parameter(text)), text);
     }
     EXPECT_EQ(parse_uncertain_parameter("loads:0.2kN"), parse_uncertain_parameter("loads:200N"));
-    EXPECT_DOUBLE_EQ(parse_uncertain_parameter("stiffness:5 %").std, 0.05);
+    EXPECT_DOUBLE_EQ(parse_uncertain_parameter("stiffness:5 %").std_dev, 0.05);
     EXPECT_EQ(parse_uncertain_parameter("loads:10%").kind, UncertainParameter::Kind::loads);
     EXPECT_EQ(parse_uncertain_parameter("loads:10N").kind, UncertainParameter::Kind::loads_each);
 }

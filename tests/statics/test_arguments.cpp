@@ -53,14 +53,20 @@ TEST_P(FunctionOfAForm, RefusesWrongLengthsAndForms) {
 INSTANTIATE_TEST_SUITE_P(
     Statics, FunctionOfAForm,
     ::testing::Values(
-        [](const CableNet& n, const Lengths& l, const Points& r) { (void)energy(n, l, r); },
+        [](const CableNet& n, const Lengths& l, const Points& r) {
+            (void)potential_energy(n, l, r);
+        },
         [](const CableNet& n, const Lengths& l, const Points& r) {
             (void)out_of_balance_forces(n, l, r);
         },
-        [](const CableNet& n, const Lengths& l, const Points& r) { (void)stiffness(n, l, r); },
-        [](const CableNet& n, const Lengths& l, const Points& r) { (void)tensions(n, l, r); },
+        [](const CableNet& n, const Lengths& l, const Points& r) {
+            (void)tangent_stiffness(n, l, r);
+        },
+        [](const CableNet& n, const Lengths& l, const Points& r) { (void)tensions_of(n, l, r); },
         [](const CableNet& n, const Lengths& l, const Points& r) { (void)slack_edges(n, l, r); },
-        [](const CableNet& n, const Lengths& l, const Points& r) { (void)certify(n, l, r); },
+        [](const CableNet& n, const Lengths& l, const Points& r) {
+            (void)energy_certificate(n, l, r);
+        },
         [](const CableNet& n, const Lengths& l, const Points& r) { (void)stress_states(n, l, r); },
         [](const CableNet& n, const Lengths& l, const Points& r) {
             (void)FormSensitivity(n, l, r);

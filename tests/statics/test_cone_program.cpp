@@ -37,7 +37,7 @@ protected:
 };
 
 double elastic_energy(const CableNet& net, const Points& form) {
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), form);
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), form);
     return (0.5 * tension.array().square() * net.unstressed_lengths().array() /
             net.axial_stiffness().array())
         .sum();
@@ -61,9 +61,10 @@ TEST_F(ConeProgram, AgreesWithNewtonOnTheBuiltInNets) {
             const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
             EXPECT_EQ(cone.status, ConeStatus::solved) << name;
             EXPECT_LT(largest_distance(cone.form, newton.form), 1e-6) << name;
-            const double lowest = energy(net, net.unstressed_lengths(), newton.form);
+            const double lowest = potential_energy(net, net.unstressed_lengths(), newton.form);
             const double scale = elastic_energy(net, newton.form);
-            EXPECT_NEAR(energy(net, net.unstressed_lengths(), cone.form), lowest, 1e-9 * scale);
+            EXPECT_NEAR(potential_energy(net, net.unstressed_lengths(), cone.form), lowest,
+                        1e-9 * scale);
             EXPECT_NEAR(cone.primal_objective, lowest, 1e-9 * scale);
             EXPECT_NEAR(cone.dual_objective, lowest, 1e-9 * scale);
         }
@@ -74,7 +75,7 @@ TEST_F(ConeProgram, GivesForcesThatBalanceAndAreTheTensions) {
     const CableNet net = disturbed("hypar:8x10", 50.0);
     const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
     Points sums = -net.loads();
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), cone.form);
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), cone.form);
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
         sums.col(s) += cone.edge_forces.col(e);
@@ -83,7 +84,8 @@ TEST_F(ConeProgram, GivesForcesThatBalanceAndAreTheTensions) {
         EXPECT_LT((cone.edge_forces.col(e) - tension(e) * direction).norm(), 1e-5 * tension.mean());
     }
     EXPECT_LT(sums(Eigen::all, net.free_nodes()).norm(), 1e-8 * tension.mean());
-    const EnergyCertificate c = certify(net, net.unstressed_lengths(), cone.form, cone.edge_forces);
+    const EnergyCertificate c =
+        energy_certificate(net, net.unstressed_lengths(), cone.form, cone.edge_forces);
     EXPECT_LT(c.relative_gap, 1e-9);
 }
 
@@ -140,14 +142,14 @@ TEST_F(ConeProgram, AgreesWithNewtonOnRandomNets) {
         const Equilibrium newton = solve_equilibrium(net);
         const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
         EXPECT_TRUE(cone.solved()) << seed;
-        const double lowest = energy(net, net.unstressed_lengths(), newton.form);
+        const double lowest = potential_energy(net, net.unstressed_lengths(), newton.form);
         // The solver's units follow from the nodes, and so do its tolerances.
         double scale = elastic_energy(net, net.nodes()) + net.loads().colwise().norm().sum();
         for (const ElasticSupport& support : net.elastic_supports()) {
             const Eigen::Vector3d shift = net.nodes().col(support.node) - support.place;
             scale += shift.dot(support.stiffness * shift);
         }
-        EXPECT_NEAR(energy(net, net.unstressed_lengths(), cone.form), lowest,
+        EXPECT_NEAR(potential_energy(net, net.unstressed_lengths(), cone.form), lowest,
                     1e-6 * scale + 1e-15)  // where all is slack
             << seed;
     }

@@ -26,7 +26,7 @@ TEST(Certificate, OfOneEdgeIsThatComputedByHand) {
     for (const double x : {0.0, 0.004, 0.01, 0.05}) {
         Points form = net.nodes();
         form(2, 0) = -1.0 - x;
-        const EnergyCertificate c = certify(net, net.unstressed_lengths(), form);
+        const EnergyCertificate c = energy_certificate(net, net.unstressed_lengths(), form);
         EXPECT_NEAR(c.duality_gap, 0.5 * 100e3 * std::pow(x - 0.01, 2), 1e-9) << x;
         // D = -(T l_0 + T^2/(2c)) with the support at the origin.
         EXPECT_NEAR(c.complementary_energy, -(1000.0 + 5.0), 1e-9) << x;
@@ -35,7 +35,7 @@ TEST(Certificate, OfOneEdgeIsThatComputedByHand) {
 
 TEST(Certificate, OfAWhollySlackNetWithoutLoadsIsZero) {
     const CableNet net(test::cross_data(-0.05));
-    const EnergyCertificate c = certify(net, net.unstressed_lengths(), net.nodes());
+    const EnergyCertificate c = energy_certificate(net, net.unstressed_lengths(), net.nodes());
     EXPECT_EQ(c.energy, 0.0);
     EXPECT_EQ(c.duality_gap, 0.0);
     EXPECT_EQ(c.relative_gap, 0.0);
@@ -45,14 +45,16 @@ TEST(Certificate, ProvesTheBuiltInNetsForms) {
     for (const auto* name : {"hilo-quarter", "hypar:8x10"}) {
         const CableNet net = builtin_net(name);
         const Equilibrium e = solve_equilibrium(net);
-        EXPECT_LT(certify(net, net.unstressed_lengths(), e.form).relative_gap, 1e-15) << name;
+        EXPECT_LT(energy_certificate(net, net.unstressed_lengths(), e.form).relative_gap, 1e-15)
+            << name;
     }
 }
 
 TEST(Certificate, RefusesForcesThatDoNotFit) {
     const CableNet net(test::cross_data(0.02));
     const auto refused = [&](const Points& forces) {
-        EXPECT_THROW(static_cast<void>(certify(net, net.unstressed_lengths(), net.nodes(), forces)),
+        EXPECT_THROW(static_cast<void>(
+                         energy_certificate(net, net.unstressed_lengths(), net.nodes(), forces)),
                      std::invalid_argument);
     };
     refused(Points::Zero(3, 3));
@@ -72,14 +74,14 @@ RC_GTEST_PROP(CertificateOfARandomNet, BoundsTheLowestEnergyFromAnyFormAndForces
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const Equilibrium e = solve_equilibrium(net);
     // The lowest energy lies between the two energies of this certificate.
-    const EnergyCertificate lowest = certify(net, lengths, e.form);
+    const EnergyCertificate lowest = energy_certificate(net, lengths, e.form);
     const Points form = with_free_coordinates(
         net, free_coordinates(net, e.form) +
                  test::uniform_vector(random, 3 * net.free_node_count(), 0.3));
     const Points forces = test::uniform_points(random, net.edge_count(), 3000.0);
     for (const EnergyCertificate& c :
-         {certify(net, lengths, form), certify(net, lengths, form, forces),
-          certify(net, lengths, e.form, forces)}) {
+         {energy_certificate(net, lengths, form), energy_certificate(net, lengths, form, forces),
+          energy_certificate(net, lengths, e.form, forces)}) {
         const double rounding = rounding_of_energies(net, c);
         RC_ASSERT(c.duality_gap >= 0.0);
         RC_ASSERT(c.complementary_energy <= lowest.energy + rounding);

@@ -38,7 +38,7 @@ void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const
     EXPECT_EQ(e.slack_edges, slack_edges(net, lengths, e.form));
     EXPECT_THAT(e.energy_decreases, SizeIs(::testing::Le(e.iterations)));
     // In the last steps the decrease may be a rounding error.
-    const double rounding = 1e-12 * std::abs(energy(net, lengths, e.form));
+    const double rounding = 1e-12 * std::abs(potential_energy(net, lengths, e.form));
     EXPECT_THAT(e.energy_decreases, Each(Ge(-rounding)));
     for (const int support : net.supports()) {
         EXPECT_EQ(e.form.col(support), net.nodes().col(support));
@@ -170,7 +170,7 @@ TEST(EquilibriumSolver, BalancesANetInTheCoordinatesOfANationalGrid) {
     EXPECT_LE(far.out_of_balance, 4.0 * change);
     EXPECT_LE(far.out_of_balance, 1e-6 * far.mean_tension);
     EXPECT_NEAR(far.out_of_balance,
-                imbalance(CableNet(content), content.unstressed_lengths, far.form).largest,
+                imbalance_of(CableNet(content), content.unstressed_lengths, far.form).largest,
                 4.0 * change);
     EXPECT_LT((far.form.colwise() - grid - near.form).cwiseAbs().maxCoeff(), 1e-8);
 }
@@ -203,7 +203,7 @@ TEST(EquilibriumSolver, FindsTheFormFromANodeGivenAbsurdlyFarOff) {
         ASSERT_EQ(found.status, EquilibriumStatus::converged) << far;
         EXPECT_LE(found.out_of_balance, 1e-10 * found.mean_tension) << far;
         EXPECT_LT((found.form - expected.form).cwiseAbs().maxCoeff(), 1e-9) << far;
-        const Imbalance left = imbalance(moved, moved.unstressed_lengths(), found.form);
+        const Imbalance left = imbalance_of(moved, moved.unstressed_lengths(), found.form);
         EXPECT_LE(left.share(), 1e-8) << far;
         // Likewise if the start is far off.
         EquilibriumSolver solver(net);

@@ -31,7 +31,7 @@ int dense_rank(const Eigen::SparseMatrix<double>& matrix) {
 
 TEST(EquilibriumMatrix, TimesTheTensionsIsTheForceAtTheNodes) {
     const CableNet net(test::two_node_net_data());
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), net.nodes());
     const std::vector<int> order = {4, 2, 0, 1, 3};
     const Eigen::VectorXd forces =
         equilibrium_matrix(net, net.nodes(), order) * Eigen::VectorXd(tension(order));

@@ -40,8 +40,8 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, LosesTheReportedEnergyInEveryStep, ()) {
     const Points start =
         with_free_coordinates(net, test::uniform_vector(random, 3 * net.free_node_count(), 5.0));
     const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
-    const double before = energy(net, net.unstressed_lengths(), start);
-    const double after = energy(net, net.unstressed_lengths(), e.form);
+    const double before = potential_energy(net, net.unstressed_lengths(), start);
+    const double after = potential_energy(net, net.unstressed_lengths(), e.form);
     double sum = 0.0;
     for (const double decrease : e.energy_decreases) {
         RC_ASSERT(decrease >= -1e-12 * (std::abs(before) + std::abs(after)));
@@ -93,8 +93,8 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) 
     RC_ASSERT(f.status == e.status);
     if (e.status == EquilibriumStatus::converged) {
         RC_ASSERT((f.form - moved(e.form)).norm() < 1e-7);
-        const Eigen::VectorXd change = tensions(moved_net, net.unstressed_lengths(), f.form) -
-                                       tensions(net, net.unstressed_lengths(), e.form);
+        const Eigen::VectorXd change = tensions_of(moved_net, net.unstressed_lengths(), f.form) -
+                                       tensions_of(net, net.unstressed_lengths(), e.form);
         RC_ASSERT(change.norm() <= 1e-6 * (1.0 + e.mean_tension));
     }
 }

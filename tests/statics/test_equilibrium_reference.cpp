@@ -28,10 +28,11 @@ TEST_P(ReferenceNet, HasTheFormThatScipyFinds) {
     EXPECT_LT((e.form - points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-11);
     EXPECT_EQ(e.slack_edges, json.at("slack_edges").get<std::vector<int>>());
     const Eigen::VectorXd expected = vector_of(json.at("tensions"));
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), e.form);
     EXPECT_LT((tension - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
     const double lowest = json.at("energy").get<double>();
-    EXPECT_NEAR(energy(net, net.unstressed_lengths(), e.form), lowest, 1e-12 * std::abs(lowest));
+    EXPECT_NEAR(potential_energy(net, net.unstressed_lengths(), e.form), lowest,
+                1e-12 * std::abs(lowest));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scipy, ReferenceNet,

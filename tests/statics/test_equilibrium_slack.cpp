@@ -75,7 +75,7 @@ TEST_P(HangingChain, FindsItsFormFromASlackStart) {
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_THAT(e.slack_edges, IsEmpty());
     // The horizontal force is the same everywhere; the vertical one grows by a weight a node.
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), e.form);
     const Eigen::VectorXd length = edge_lengths(net, e.form);
     const double scale = tension.maxCoeff();
     const auto pull = [&](int edge) -> Eigen::Vector3d {

@@ -19,7 +19,7 @@ TEST(Imbalance, IsTheLargestNodalForceAndTheMeanTensionOfTheTautEdges) {
     data.loads.col(0) << 30.0, 0.0, -40.0;
     data.unstressed_lengths(3) = 1.25;  // slack
     const CableNet net(std::move(data));
-    const Imbalance found = imbalance(net, net.unstressed_lengths(), net.nodes());
+    const Imbalance found = imbalance_of(net, net.unstressed_lengths(), net.nodes());
     // Three edges of 1 kN, of which the one along y has none opposite.
     EXPECT_NEAR(found.mean_tension, 1000.0, 1e-6);
     EXPECT_NEAR(found.largest, std::hypot(30.0, 1000.0, 40.0), 1e-6);

@@ -49,7 +49,7 @@ TEST(InteriorPoint, FindsTheFormThatNewtonsMethodFinds) {
         ASSERT_EQ(newton.status, EquilibriumStatus::converged);
         const Approach found = approach(net, lengths);
         EXPECT_LT((found.form - newton.form).cwiseAbs().maxCoeff(), 1e-6) << reach;
-        EXPECT_LT(certify(net, lengths, found.form).relative_gap, 1e-6) << reach;
+        EXPECT_LT(energy_certificate(net, lengths, found.form).relative_gap, 1e-6) << reach;
     }
 }
 
@@ -59,8 +59,9 @@ RC_GTEST_PROP(InteriorPointOnARandomNet, LeavesAGapThatHardlyMatters, ()) {
     const Approach found = approach(net, net.unstressed_lengths());
     RC_ASSERT(found.steps < 300);
     const Equilibrium rest = solve_equilibrium(net);
-    const double scale = certify(net, net.unstressed_lengths(), rest.form).complementary_energy;
-    RC_ASSERT(energy(net, net.unstressed_lengths(), found.form) - scale <
+    const double scale =
+        energy_certificate(net, net.unstressed_lengths(), rest.form).complementary_energy;
+    RC_ASSERT(potential_energy(net, net.unstressed_lengths(), found.form) - scale <
               1e-6 * (1.0 + std::abs(scale)));
 }
 
@@ -72,8 +73,9 @@ TEST(InteriorPoint, StaysOnItsPathWhereEdgesTurn) {
         const CableNet net = test::random_net(random);
         const Eigen::VectorXd& lengths = net.unstressed_lengths();
         const Points form = approach(net, lengths).form;
-        const double lowest = energy(net, lengths, solve_equilibrium(net).form);
-        EXPECT_LT(energy(net, lengths, form) - lowest, 1e-6 * (1.0 + std::abs(lowest))) << seed;
+        const double lowest = potential_energy(net, lengths, solve_equilibrium(net).form);
+        EXPECT_LT(potential_energy(net, lengths, form) - lowest, 1e-6 * (1.0 + std::abs(lowest)))
+            << seed;
     }
 }
 
@@ -97,7 +99,7 @@ void expect_few_steps(const CableNet& net, size_t least_slack) {
         EXPECT_EQ(e.status, EquilibriumStatus::converged);
         EXPECT_LT(e.iterations, 25);
         EXPECT_GT(e.slack_edges.size(), least_slack);
-        EXPECT_LT(certify(net, lengths, e.form).relative_gap, 1e-9);
+        EXPECT_LT(energy_certificate(net, lengths, e.form).relative_gap, 1e-9);
     }
 }
 

@@ -40,7 +40,7 @@ TEST(Sag, OfHeavyCablesGivesTheFormOfElasticCatenaries) {
         const Equilibrium e = solve_equilibrium(net);
         EXPECT_EQ(e.status, EquilibriumStatus::converged);
         return std::pair{(e.form - expected).colwise().norm().maxCoeff(),
-                         (tensions(net, net.unstressed_lengths(), e.form) - pulls)
+                         (tensions_of(net, net.unstressed_lengths(), e.form) - pulls)
                              .cwiseQuotient(pulls)
                              .cwiseAbs()
                              .maxCoeff()};
@@ -59,7 +59,7 @@ TEST(Sag, KeepsLooseCablesUnderTension) {
     const Equilibrium e = solve_equilibrium(net);
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), e.form).empty());
-    EXPECT_GT(tensions(net, net.unstressed_lengths(), e.form).minCoeff(), 0.0);
+    EXPECT_GT(tensions_of(net, net.unstressed_lengths(), e.form).minCoeff(), 0.0);
     const Eigen::VectorXd spans = edge_lengths(net, e.form);
     EXPECT_LT((spans - net.unstressed_lengths()).minCoeff(), -0.003);  // some are loose
     EXPECT_FALSE(net.can_be_slack(1));
@@ -69,13 +69,13 @@ TEST(Sag, KeepsLooseCablesUnderTension) {
 TEST(Sag, HasACertificateAndNoConeProgram) {
     const CableNet net = sagging();
     const Equilibrium e = solve_equilibrium(net);
-    const EnergyCertificate in_balance = certify(net, net.unstressed_lengths(), e.form);
+    const EnergyCertificate in_balance = energy_certificate(net, net.unstressed_lengths(), e.form);
     EXPECT_GE(in_balance.duality_gap, -1e-12);
     EXPECT_LT(in_balance.relative_gap, 1e-10);
     // Beside it, the gap is at least what the energy is above the lowest.
     Points beside = e.form;
     beside.col(net.free_nodes()[4]) += Eigen::Vector3d(0.01, -0.02, 0.015);
-    const EnergyCertificate there = certify(net, net.unstressed_lengths(), beside);
+    const EnergyCertificate there = energy_certificate(net, net.unstressed_lengths(), beside);
     EXPECT_GT(there.energy, in_balance.energy);
     EXPECT_GE(there.duality_gap, there.energy - in_balance.energy);
     EXPECT_THAT([&] { (void)solve_cone_program(net, net.unstressed_lengths()); },
@@ -90,13 +90,14 @@ TEST(Sag, HasForcesAndStiffnessThatAreDerivativesOfTheEnergy) {
     const auto forces = [&](const Eigen::VectorXd& x) {
         return out_of_balance_forces(net, lengths, with_free_coordinates(net, x));
     };
-    const Eigen::MatrixXd H = stiffness(net, lengths, with_free_coordinates(net, at));
+    const Eigen::MatrixXd H = tangent_stiffness(net, lengths, with_free_coordinates(net, at));
     constexpr double step = 1e-6;
     for (Eigen::Index k = 0; k < at.size(); ++k) {
         const Eigen::VectorXd change = step * Eigen::VectorXd::Unit(at.size(), k);
-        const double slope = (energy(net, lengths, with_free_coordinates(net, at + change)) -
-                              energy(net, lengths, with_free_coordinates(net, at - change))) /
-                             (2.0 * step);
+        const double slope =
+            (potential_energy(net, lengths, with_free_coordinates(net, at + change)) -
+             potential_energy(net, lengths, with_free_coordinates(net, at - change))) /
+            (2.0 * step);
         EXPECT_NEAR(forces(at)(k), slope, 1e-6 * forces(at).cwiseAbs().maxCoeff()) << k;
         const Eigen::VectorXd column = (forces(at + change) - forces(at - change)) / (2.0 * step);
         EXPECT_LT((H.col(k) - column).norm(), 1e-6 * H.col(k).norm()) << k;

@@ -67,7 +67,7 @@ TEST(Sliding, ARopeOverAPulleyHangsAtEqualAngles) {
     const Equilibrium e = solve_equilibrium(net);
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_NEAR(e.unstressed_lengths.sum(), 5.0, 1e-12);
-    const Eigen::VectorXd tension = tensions(net, e.unstressed_lengths, e.form);
+    const Eigen::VectorXd tension = tensions_of(net, e.unstressed_lengths, e.form);
     EXPECT_NEAR(tension(0), tension(1), 1e-7);
     // Both parts hang at the angle with cos = 3 m / the length of the rope.
     const double rope = 5.0 * (1.0 + tension(0) / 1e6);
@@ -84,7 +84,7 @@ TEST(Sliding, FormsAndTensionsAreThoseThatSciPyFinds) {
         ASSERT_EQ(e.status, EquilibriumStatus::converged) << name;
         EXPECT_LT((e.form - test::points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-8) << name;
         const Eigen::VectorXd expected = test::vector_of(json.at("tensions"));
-        EXPECT_LT((tensions(net, e.unstressed_lengths, e.form) - expected).cwiseAbs().maxCoeff(),
+        EXPECT_LT((tensions_of(net, e.unstressed_lengths, e.form) - expected).cwiseAbs().maxCoeff(),
                   1e-4)
             << name;
         // Once more: nothing slides any further.
@@ -105,7 +105,7 @@ TEST(Sliding, WithFrictionSlidesOnlyAtItsLimit) {
         const Equilibrium e = EquilibriumSolver(net).solve(marked, net.nodes());
         ASSERT_EQ(e.status, EquilibriumStatus::converged) << friction;
         EXPECT_NEAR((e.unstressed_lengths - marked).sum(), 0.0, 1e-12);
-        const Eigen::VectorXd tension = tensions(net, e.unstressed_lengths, e.form);
+        const Eigen::VectorXd tension = tensions_of(net, e.unstressed_lengths, e.form);
         const auto along = [&](int edge) {
             return (e.form.col(net.edges()[edge][1]) - e.form.col(net.edges()[edge][0]))
                 .normalized();
@@ -141,7 +141,7 @@ TEST(Sliding, GoesOnFromWhereItWasFound) {
     const Equilibrium found = solve_equilibrium(clamped(CableNet(data)));
     ASSERT_EQ(found.status, EquilibriumStatus::converged);
     const CableNet net(data);
-    const Eigen::VectorXd tension = tensions(net, found.unstressed_lengths, found.form);
+    const Eigen::VectorXd tension = tensions_of(net, found.unstressed_lengths, found.form);
     data.runs = runs_from_here(net, found.form, tension);
     const CableNet held(data);
     const Equilibrium there = EquilibriumSolver(held).solve(found.unstressed_lengths, found.form);
@@ -152,7 +152,7 @@ TEST(Sliding, GoesOnFromWhereItWasFound) {
     const Equilibrium on = EquilibriumSolver(held).solve(turned, found.form);
     EXPECT_EQ(on.status, EquilibriumStatus::converged);
     EXPECT_GT((on.unstressed_lengths - turned).cwiseAbs().maxCoeff(), 1e-3);
-    const Eigen::VectorXd then = tensions(held, on.unstressed_lengths, on.form);
+    const Eigen::VectorXd then = tensions_of(held, on.unstressed_lengths, on.form);
     for (const SlidingNode& at : held.sliding_nodes()) {
         EXPECT_LE(std::abs(std::log(then(at.after) / then(at.before) / at.ratio)),
                   at.friction * contact_angle(held.edges(), on.form, at) + 1e-8);

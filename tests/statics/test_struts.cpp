@@ -64,7 +64,7 @@ TEST(Strut, CarriesWhatTheGuysAndTheLoadPressItWith) {
     const CableNet net = column(0.01);
     const Equilibrium e = solve_equilibrium(net);
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), e.form);
     const double height = e.form(2, 1);
     const double of_guys = 4.0 * tension(1) * height / std::hypot(height, 1.5);
     EXPECT_NEAR(tension(0), -load - of_guys, 1e-6);
@@ -82,7 +82,7 @@ TEST(Strut, OfASimplexHasTheFormAndForcesThatMusclePyFinds) {
     EXPECT_GT((e.form - net.nodes()).cwiseAbs().maxCoeff(), 0.01);
     EXPECT_LT((e.form - test::points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-7);
     const Eigen::VectorXd expected = test::vector_of(json.at("tensions"));
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), e.form);
     EXPECT_LT((tension - expected).cwiseAbs().maxCoeff(), 1e-5 * expected.cwiseAbs().maxCoeff());
 }
 
@@ -115,7 +115,7 @@ TEST(Strut, TopplesWhereItsStiffnessIsNegative) {
     ASSERT_TRUE(is_unstable(local, of_state, state));
     const Eigen::VectorXd direction = direction_of_collapse(local, of_state, state);
     EXPECT_NEAR(direction.reshaped(3, 3).colwise().norm().maxCoeff(), 1.0, 1e-12);
-    const Eigen::MatrixXd matrix = stiffness(net, net.unstressed_lengths(), form);
+    const Eigen::MatrixXd matrix = tangent_stiffness(net, net.unstressed_lengths(), form);
     const double steepest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()(0);
     const double along = direction.dot(matrix * direction) / direction.squaredNorm();
     EXPECT_LT(along, 0.7 * steepest);
@@ -136,8 +136,8 @@ TEST(Strut, IsNotStableWithoutGuysThatHoldIt) {
     start(1, 1) = 0.03;
     const Equilibrium beside = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
     EXPECT_NE(beside.status, EquilibriumStatus::unstable);
-    EXPECT_LT(energy(net, net.unstressed_lengths(), beside.form),
-              energy(net, net.unstressed_lengths(), e.form));
+    EXPECT_LT(potential_energy(net, net.unstressed_lengths(), beside.form),
+              potential_energy(net, net.unstressed_lengths(), e.form));
 }
 
 /// A mast of two struts with four guys at either level; the upper ones are slack.
@@ -195,13 +195,14 @@ TEST_P(BuiltinNetWithStruts, HasForcesAndStiffnessThatAreDerivativesOfItsEnergy)
     const auto forces = [&](const Eigen::VectorXd& x) {
         return out_of_balance_forces(net, lengths, with_free_coordinates(net, x));
     };
-    const Eigen::MatrixXd H = stiffness(net, lengths, with_free_coordinates(net, at));
+    const Eigen::MatrixXd H = tangent_stiffness(net, lengths, with_free_coordinates(net, at));
     constexpr double step = 1e-6;
     for (Eigen::Index k = 0; k < at.size(); k += 7) {
         const Eigen::VectorXd change = step * Eigen::VectorXd::Unit(at.size(), k);
-        const double slope = (energy(net, lengths, with_free_coordinates(net, at + change)) -
-                              energy(net, lengths, with_free_coordinates(net, at - change))) /
-                             (2.0 * step);
+        const double slope =
+            (potential_energy(net, lengths, with_free_coordinates(net, at + change)) -
+             potential_energy(net, lengths, with_free_coordinates(net, at - change))) /
+            (2.0 * step);
         EXPECT_NEAR(forces(at)(k), slope, 1e-5 * forces(at).cwiseAbs().maxCoeff() + 1e-2);
         const Eigen::VectorXd column = (forces(at + change) - forces(at - change)) / (2.0 * step);
         EXPECT_LT((H.col(k) - column).norm(), 1e-6 * H.col(k).norm()) << k;
@@ -210,7 +211,7 @@ TEST_P(BuiltinNetWithStruts, HasForcesAndStiffnessThatAreDerivativesOfItsEnergy)
 
 TEST_P(BuiltinNetWithStruts, HasItsSmallestStiffnessAsTheEigenvaluesHaveIt) {
     const CableNet net = builtin_net(GetParam());
-    const Eigen::MatrixXd H = stiffness(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::MatrixXd H = tangent_stiffness(net, net.unstressed_lengths(), net.nodes());
     const double smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues()(0);
     EXPECT_GT(smallest, 0.0);
     EXPECT_NEAR(smallest_stiffness(net, net.unstressed_lengths(), net.nodes()), smallest,
@@ -235,7 +236,9 @@ TEST_P(BuiltinNetWithStruts, MovesWithItsLengthsAsTheSensitivityHasIt) {
 
 TEST_P(BuiltinNetWithStruts, HasNeitherCertificateNorConeProgram) {
     const CableNet net = builtin_net(GetParam());
-    const auto certificate = [&] { (void)certify(net, net.unstressed_lengths(), net.nodes()); };
+    const auto certificate = [&] {
+        (void)energy_certificate(net, net.unstressed_lengths(), net.nodes());
+    };
     const auto program = [&] { (void)solve_cone_program(net, net.unstressed_lengths()); };
     EXPECT_THAT(certificate, testing::ThrowsMessage<std::invalid_argument>(
                                  testing::HasSubstr("struts: its energy is not convex")));

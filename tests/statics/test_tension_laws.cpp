@@ -37,7 +37,8 @@ CableNet two_slope_hypar(double length_error) {
                           .tension = stiffness * Eigen::VectorXd{{0.0, 0.0075, 0.0075, 0.0405}}}};
     data.tension_law.assign(data.edges.size(), 0);
     const CableNet linear = hypar(6, 7);
-    const Eigen::VectorXd tension = tensions(linear, linear.unstressed_lengths(), linear.nodes());
+    const Eigen::VectorXd tension =
+        tensions_of(linear, linear.unstressed_lengths(), linear.nodes());
     const Eigen::VectorXd length = edge_lengths(linear, linear.nodes());
     test::Random random(3);
     for (Eigen::Index e = 0; e < tension.size(); ++e) {
@@ -55,13 +56,13 @@ TEST(TensionLaws, OfACrossGiveTheirTensionsAndEnergy) {
                           .tension = Eigen::VectorXd{{0.0, 100.0, 1000.0}}}};
     data.tension_law = {0, 0, -1, -1};
     const CableNet net(data);
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd tension = tensions_of(net, net.unstressed_lengths(), net.nodes());
     EXPECT_NEAR(tension(0), 100.0 + 900.0 / 3.0, 1e-9);
     EXPECT_NEAR(tension(2), 1000.0, 1e-9);
     const double expected =
         2.0 * net.unstressed_lengths()(0) * (0.5 * 100.0 * 0.005 + 0.5 * (100.0 + 400.0) * 0.005) +
         2.0 * net.unstressed_lengths()(2) * 0.5 * 1000.0 * 0.01;
-    EXPECT_NEAR(energy(net, net.unstressed_lengths(), net.nodes()), expected, 1e-9);
+    EXPECT_NEAR(potential_energy(net, net.unstressed_lengths(), net.nodes()), expected, 1e-9);
 }
 
 RC_GTEST_PROP(TensionLaws, ForcesAreTheGradientOfTheEnergyAndStiffnessThatOfTheForces, ()) {
@@ -72,7 +73,8 @@ RC_GTEST_PROP(TensionLaws, ForcesAreTheGradientOfTheEnergyAndStiffnessThatOfTheF
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const Eigen::VectorXd x = free_coordinates(net, form);
     const auto energy_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
-        return Eigen::VectorXd::Constant(1, energy(net, lengths, with_free_coordinates(net, at)));
+        return Eigen::VectorXd::Constant(
+            1, potential_energy(net, lengths, with_free_coordinates(net, at)));
     };
     const auto forces_at = [&](const Eigen::VectorXd& at) {
         return out_of_balance_forces(net, lengths, with_free_coordinates(net, at));
@@ -81,7 +83,7 @@ RC_GTEST_PROP(TensionLaws, ForcesAreTheGradientOfTheEnergyAndStiffnessThatOfTheF
     const Eigen::VectorXd gradient = test::finite_differences(energy_at, x, 1e-6).transpose();
     RC_ASSERT((gradient - forces).norm() <= 1e-5 * (1.0 + forces.norm()));
     const Eigen::MatrixXd difference = test::finite_differences(forces_at, x, 1e-6);
-    const Eigen::MatrixXd matrix = stiffness(net, lengths, form);
+    const Eigen::MatrixXd matrix = tangent_stiffness(net, lengths, form);
     RC_ASSERT((difference - matrix).norm() <= 1e-6 * (1.0 + matrix.norm()));
 }
 
@@ -98,11 +100,12 @@ TEST(TensionLaws, OfPointsOnALineAreTheLinearLaw) {
             EXPECT_EQ(a.slack_edges, b.slack_edges) << seed;
             EXPECT_LT(largest_distance(a.form, b.form), 1e-7) << seed;
         }
-        EXPECT_NEAR(energy(linear, linear.unstressed_lengths(), a.form),
-                    energy(straight, straight.unstressed_lengths(), a.form), 1e-9);
-        const EnergyCertificate ca = certify(linear, linear.unstressed_lengths(), linear.nodes());
+        EXPECT_NEAR(potential_energy(linear, linear.unstressed_lengths(), a.form),
+                    potential_energy(straight, straight.unstressed_lengths(), a.form), 1e-9);
+        const EnergyCertificate ca =
+            energy_certificate(linear, linear.unstressed_lengths(), linear.nodes());
         const EnergyCertificate cb =
-            certify(straight, straight.unstressed_lengths(), straight.nodes());
+            energy_certificate(straight, straight.unstressed_lengths(), straight.nodes());
         EXPECT_NEAR(ca.duality_gap, cb.duality_gap, 1e-9 * ca.duality_gap) << seed;
     }
 }
@@ -122,7 +125,8 @@ TEST(TensionLaws, ThatStiffenAHundredfoldHaveAnEquilibrium) {
              {CableNet(data), CableNet(test::renumbered(random, data, from))}) {
             const Equilibrium found = solve_equilibrium(net);
             ASSERT_TRUE(found.balanced()) << seed;
-            EXPECT_LT(certify(net, net.unstressed_lengths(), found.form).relative_gap, 1e-3)
+            EXPECT_LT(energy_certificate(net, net.unstressed_lengths(), found.form).relative_gap,
+                      1e-3)
                 << seed;
         }
     }
@@ -138,14 +142,15 @@ TEST(TensionLaws, EquilibriumIsCertifiedAndCloselyExceptForFewNets) {
         const Eigen::VectorXd& lengths = net.unstressed_lengths();
         const Equilibrium found = solve_equilibrium(net);
         ASSERT_TRUE(found.balanced()) << seed;
-        const EnergyCertificate proof = certify(net, lengths, found.form);
+        const EnergyCertificate proof = energy_certificate(net, lengths, found.form);
         EXPECT_GE(proof.duality_gap, 0.0) << seed;
         EXPECT_LT(proof.relative_gap, 1e-3) << seed;
         loose += proof.relative_gap < 1e-5 ? 0 : 1;
         // Any other form has a higher energy, by at most the gap of its certificate.
-        EXPECT_LE(
-            energy(net, lengths, net.nodes()) - energy(net, lengths, found.form),
-            certify(net, lengths, net.nodes()).duality_gap + 1e-9 * (1.0 + std::abs(proof.energy)))
+        EXPECT_LE(potential_energy(net, lengths, net.nodes()) -
+                      potential_energy(net, lengths, found.form),
+                  energy_certificate(net, lengths, net.nodes()).duality_gap +
+                      1e-9 * (1.0 + std::abs(proof.energy)))
             << seed;
     }
     EXPECT_LE(loose, 5);
@@ -164,11 +169,11 @@ TEST(TensionLaws, EquilibriumIsThatOfTheConeProgram) {
                 solve_cone_program(net, net.unstressed_lengths(), {.form = form});
             ASSERT_TRUE(cone.solved()) << to_string(form);
             EXPECT_LT(largest_distance(cone.form, newton.form), 1e-5) << to_string(form);
-            const double lowest = energy(net, net.unstressed_lengths(), newton.form);
+            const double lowest = potential_energy(net, net.unstressed_lengths(), newton.form);
             EXPECT_NEAR(cone.primal_objective, lowest, 1e-7 * lowest) << to_string(form);
-            EXPECT_LT(
-                certify(net, net.unstressed_lengths(), cone.form, cone.edge_forces).relative_gap,
-                1e-5);
+            EXPECT_LT(energy_certificate(net, net.unstressed_lengths(), cone.form, cone.edge_forces)
+                          .relative_gap,
+                      1e-5);
         }
     }
 }

@@ -33,7 +33,8 @@ TEST(EdgeLengths, AreTheDistancesOfTheEnds) {
 
 TEST(Tensions, AreStiffnessTimesStrainAndZeroInSlackEdges) {
     const MovedCross cross;
-    const Eigen::VectorXd result = tensions(cross.net, cross.net.unstressed_lengths(), cross.form);
+    const Eigen::VectorXd result =
+        tensions_of(cross.net, cross.net.unstressed_lengths(), cross.form);
     EXPECT_EQ(result(0), 0.0);
     EXPECT_NEAR(result(1), 100e3 * (1.25 / 0.8 - 1.0), 1e-9);
     EXPECT_NEAR(result(2), 100e3 * (std::sqrt(1.0625) / 0.8 - 1.0), 1e-9);
@@ -42,7 +43,7 @@ TEST(Tensions, AreStiffnessTimesStrainAndZeroInSlackEdges) {
 
 TEST(Tensions, AreZeroInAnEdgeExactlyAsLongAsUnstressed) {
     const CableNet net(test::cross_data(0.0));
-    EXPECT_TRUE(tensions(net, net.unstressed_lengths(), net.nodes()).isZero(0.0));
+    EXPECT_TRUE(tensions_of(net, net.unstressed_lengths(), net.nodes()).isZero(0.0));
     EXPECT_THAT(slack_edges(net, net.unstressed_lengths(), net.nodes()), ElementsAre(0, 1, 2, 3));
 }
 
@@ -50,7 +51,7 @@ RC_GTEST_PROP(Tensions, AreNeverNegativeAndZeroInSlackEdgesAlone, ()) {
     test::Random random = test::any_random();
     const CableNet net = test::random_net(random);
     const Points form = test::uniform_points(random, net.node_count(), 2.0);
-    const Eigen::VectorXd result = tensions(net, net.unstressed_lengths(), form);
+    const Eigen::VectorXd result = tensions_of(net, net.unstressed_lengths(), form);
     std::vector<int> without_tension;
     for (int e = 0; e < net.edge_count(); ++e) {
         RC_ASSERT(result(e) >= 0.0);

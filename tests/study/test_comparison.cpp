@@ -17,6 +17,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "study/error_sums.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/sampling/sampler.hpp"
@@ -88,12 +89,12 @@ TEST_F(SmallComparison, HasARowForEachMethodAndPlaceOnItsAxes) {
 
 TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
     const Sampler sampler(m_net, small_comparison.prior, small_comparison.seed);
-    DataSet data = sampler.empty();
-    sampler.extend(data, 66);
+    DataSet data = sampler.no_samples();
+    sampler.extend_to(data, 66);
     ASSERT_EQ(data.not_converged(), 0);
     EXPECT_EQ(m_comparison.samples, 66);
     const LengthModel model =
-        train(m_net, data, data.converged_in(0, 40), TrainingSettings::paper());
+        train_model(m_net, data, data.converged_in(0, 40), TrainingSettings::paper());
     const Eigen::MatrixXd estimates =
         estimate_lengths(m_net, model, data.form_deviations.rightCols(6)).mean;
     const LengthErrors errors = length_errors(data.length_deviations.rightCols(6), estimates);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sampling/uncertain_widths.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace taut {

@@ -14,6 +14,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "study/error_sums.hpp"
 #include "support/refusals.hpp"
 
 namespace {
@@ -30,7 +31,7 @@ Eigen::MatrixXd random_matrix(int rows, int columns, unsigned seed) {
 /// Eqs. ei, m_ei, std, MSE and MRSE, as they stand in the paper.
 struct ByHand {
     std::vector<double> mean;
-    std::vector<double> std;
+    std::vector<double> std_dev;
     double mse = 0.0;
     double mrse = 0.0;
 
@@ -53,7 +54,7 @@ struct ByHand {
                 const double e = truth(i, k) - estimate(i, k);
                 deviations += (e - mean.back()) * (e - mean.back());
             }
-            std.push_back(std::sqrt(deviations / samples));
+            std_dev.push_back(std::sqrt(deviations / samples));
             mse += squares / samples / edges;
             mrse += squares / squared_truths / edges;
         }
@@ -69,15 +70,15 @@ RC_GTEST_PROP(LengthErrors, AreTheEquationsOfThePaper, ()) {
     const LengthErrors errors = length_errors(truth, estimate);
     const ByHand expected(truth, estimate);
     RC_ASSERT(errors.mean.size() == edges);
-    RC_ASSERT(errors.std.size() == edges);
+    RC_ASSERT(errors.std_dev.size() == edges);
     double largest_mean = 0.0;
     double sum_of_stds = 0.0;
     for (int i = 0; i < edges; ++i) {
         const auto at = static_cast<size_t>(i);
         RC_ASSERT(std::abs(errors.mean(i) - expected.mean[at]) < 1e-15);
-        RC_ASSERT(std::abs(errors.std(i) - expected.std[at]) < 1e-15);
+        RC_ASSERT(std::abs(errors.std_dev(i) - expected.std_dev[at]) < 1e-15);
         largest_mean = std::max(largest_mean, std::abs(expected.mean[at]));
-        sum_of_stds += expected.std[at];
+        sum_of_stds += expected.std_dev[at];
     }
     RC_ASSERT(std::abs(errors.mse - expected.mse) < 1e-12 * expected.mse);
     RC_ASSERT(std::abs(errors.mrse - expected.mrse) < 1e-12 * expected.mrse);

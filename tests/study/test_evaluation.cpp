@@ -4,7 +4,7 @@
 // Guards against a comparison that flatters: trials that differ in more than they say, failures
 // that vanish, slack edges that are counted among what a form shows, coverage of other intervals.
 
-#include "taut/study/evaluation.hpp"
+#include "study/evaluation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using namespace taut;
 
 class Trials : public testing::Test {
 protected:
-    Trials() { Sampler(m_net, m_prior, 4).extend(m_data, 6); }
+    Trials() { Sampler(m_net, m_prior, 4).extend_to(m_data, 6); }
 
     [[nodiscard]] std::vector<Trial> simulated(const SurveyKind& kind,
                                                std::uint64_t seed = 1) const {
@@ -54,7 +54,7 @@ protected:
     const CableNet m_net = hypar(3, 4);
     const LengthPrior m_prior{LengthPrior::Kind::uniform, 0.002};
     const std::vector<int> m_samples{1, 2, 4, 5};
-    DataSet m_data = Sampler(m_net, m_prior, 4).empty();
+    DataSet m_data = Sampler(m_net, m_prior, 4).no_samples();
 };
 
 TEST_F(Trials, AreTheSamplesAndExactSurveysOfThem) {
@@ -95,12 +95,12 @@ TEST_F(Trials, HideThePartOfTheNodesThatTheirKindSays) {
 TEST_F(Trials, KnowWhichInteriorEdgesAreSlack) {
     const LengthPrior wide{LengthPrior::Kind::uniform, 0.02};
     const Sampler sampler(m_net, wide, 4);
-    DataSet data = sampler.empty();
-    sampler.extend(data, 20);
+    DataSet data = sampler.no_samples();
+    sampler.extend_to(data, 20);
     int slack = 0;
     for (const Trial& trial : simulate_trials(m_net, data, data.converged_in(0, 20), {}, 1)) {
         const Eigen::VectorXd tension =
-            tensions(m_net, with_length_deviations(m_net, trial.deviations), trial.form);
+            tensions_of(m_net, with_length_deviations(m_net, trial.deviations), trial.form);
         for (int i = 0; i < m_net.interior_edge_count(); ++i) {
             EXPECT_EQ(trial.slack[i], tension(m_net.interior_edges()[i]) == 0.0);
             slack += trial.slack[i] ? 1 : 0;
@@ -203,8 +203,8 @@ TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBound) {
         trial.slack[0] = false;
     }
     trials.back().slack[1] = false;
-    // The textbook's (J' S J + I / prior.std()^2)^-1 at each trial's truth.
-    const double precision_of_prior = std::pow(m_prior.std(), -2);
+    // The textbook's (J' S J + I / prior.std_dev()^2)^-1 at each trial's truth.
+    const double precision_of_prior = std::pow(m_prior.std_dev(), -2);
     double mean = 0.0;
     double mean_of_taut = 0.0;
     for (const Trial& trial : trials) {

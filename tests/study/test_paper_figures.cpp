@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "study/error_sums.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "study/error_sums.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -43,8 +44,8 @@ protected:
 
 TEST_F(SmallStudy, DrawsTheSamplesOfItsPriorAndSeed) {
     const Sampler sampler(m_net, small.prior, small.seed);
-    DataSet data = sampler.empty();
-    sampler.extend(data, small.samples);
+    DataSet data = sampler.no_samples();
+    sampler.extend_to(data, small.samples);
     EXPECT_EQ(m_study.data.length_deviations, data.length_deviations);
     EXPECT_EQ(m_study.data.form_deviations, data.form_deviations);
     EXPECT_EQ(m_study.settings.samples, 60);
@@ -63,14 +64,15 @@ TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
     const Eigen::MatrixXd validation = m_study.data.form_deviations.rightCols(12);
     const LengthEstimates own = estimate_lengths(m_study.net, m_study.model, validation);
     EXPECT_LT((m_study.estimates.mean - own.mean).cwiseAbs().maxCoeff(), 1e-12);
-    EXPECT_LT((m_study.estimates.std - own.std).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((m_study.estimates.std_dev - own.std_dev).cwiseAbs().maxCoeff(), 1e-12);
     // Trained by itself, it chooses other lambdas that are about as likely.
-    const LengthModel alone = train(m_study.net, m_study.data, m_study.data.converged_in(0, 48),
-                                    TrainingSettings::paper());
+    const LengthModel alone = train_model(
+        m_study.net, m_study.data, m_study.data.converged_in(0, 48), TrainingSettings::paper());
     const LengthEstimates expected = estimate_lengths(m_study.net, alone, validation);
-    const double std = expected.std.mean();
-    EXPECT_LT((own.mean - expected.mean).norm() / std::sqrt(own.mean.size()), 0.1 * std);
-    EXPECT_LT((own.std - expected.std).norm() / std::sqrt(own.std.size()), 0.1 * std);
+    const double std_dev = expected.std_dev.mean();
+    EXPECT_LT((own.mean - expected.mean).norm() / std::sqrt(own.mean.size()), 0.1 * std_dev);
+    EXPECT_LT((own.std_dev - expected.std_dev).norm() / std::sqrt(own.std_dev.size()),
+              0.1 * std_dev);
 }
 
 TEST_F(SmallStudy, ReportsTheErrorsOfItsEstimates) {
@@ -80,7 +82,7 @@ TEST_F(SmallStudy, ReportsTheErrorsOfItsEstimates) {
     EXPECT_EQ(errors.mse, expected.mse);
     EXPECT_EQ(errors.mrse, expected.mrse);
     EXPECT_EQ(errors.mean, expected.mean);
-    EXPECT_EQ(errors.std, expected.std);
+    EXPECT_EQ(errors.std_dev, expected.std_dev);
     // It learnt something: guessing zero throughout has the relative error one.
     EXPECT_LT(errors.mrse, 0.1);
     EXPECT_GT(errors.mrse, 0.0);

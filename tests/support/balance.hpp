@@ -12,13 +12,13 @@ namespace taut::test {
 /// Largest norm of an out-of-balance force at a node [N].
 inline double largest_imbalance(const CableNet& net, const Eigen::VectorXd& lengths,
                                 const Points& form) {
-    return imbalance(net, lengths, form).largest;
+    return imbalance_of(net, lengths, form).largest;
 }
 
 /// Mean tension of the taut edges; 0 if all are slack [N].
 inline double mean_tension(const CableNet& net, const Eigen::VectorXd& lengths,
                            const Points& form) {
-    return imbalance(net, lengths, form).mean_tension;
+    return imbalance_of(net, lengths, form).mean_tension;
 }
 
 /// Largest distance of a node between two forms [m].

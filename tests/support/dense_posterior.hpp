@@ -10,7 +10,7 @@
 
 namespace taut::test {
 
-/// (J' S J + I / prior.std()^2)^-1, the textbook's posterior covariance of the interior lengths
+/// (J' S J + I / prior.std_dev()^2)^-1, the textbook's posterior covariance of the interior lengths
 /// (m_I x m_I) of a linear model, dense: J is dr/dl at a form, S the weights of what was surveyed.
 inline Eigen::MatrixXd dense_posterior(const CableNet& net, const Eigen::VectorXd& lengths,
                                        const Points& form, const Survey& survey,
@@ -22,7 +22,7 @@ inline Eigen::MatrixXd dense_posterior(const CableNet& net, const Eigen::VectorX
             survey.noise_std.col(node).cwiseAbs2().cwiseInverse();
     }
     Eigen::MatrixXd precision = J.transpose() * weights.asDiagonal() * J;
-    precision.diagonal().array() += 1.0 / (prior.std() * prior.std());
+    precision.diagonal().array() += 1.0 / (prior.std_dev() * prior.std_dev());
     return precision.inverse();
 }
 

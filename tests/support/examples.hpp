@@ -32,14 +32,14 @@ inline NetFile example_net() {
 
 inline DataSet example_data(const CableNet& net, int count = 30) {
     const Sampler sampler(net, {.kind = LengthPrior::Kind::uniform, .scale = 0.003}, 7);
-    DataSet data = sampler.empty();
-    sampler.extend(data, count);
+    DataSet data = sampler.no_samples();
+    sampler.extend_to(data, count);
     return data;
 }
 
 inline LengthModel example_model(const CableNet& net, const DataSet& data,
                                  const TrainingSettings& settings = TrainingSettings::paper()) {
-    return train(net, data, data.converged_in(0, data.size()), settings);
+    return train_model(net, data, data.converged_in(0, data.size()), settings);
 }
 
 inline bool same_bits(const Eigen::Ref<const Eigen::MatrixXd>& a,

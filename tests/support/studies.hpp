@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/error_sums.hpp"
 #include "taut/results/control_files.hpp"
 #include "taut/results/plan_files.hpp"
 #include "taut/results/result_file.hpp"
@@ -43,7 +44,7 @@ inline Study made_up_study(const CableNet& net, int validation = 5, double scale
         });
     study.model.processes.inputs.resize(3 * n, validation);
     study.estimates = {.mean = truth - errors,
-                       .std = Eigen::MatrixXd::Constant(m, validation, 1e-4)};
+                       .std_dev = Eigen::MatrixXd::Constant(m, validation, 1e-4)};
     for (const char* name : {"gp_as_in_paper", "gp", "balance", "map"}) {
         study.methods.push_back({.name = name,
                                  .surveys = validation,
@@ -82,7 +83,7 @@ inline ResultFile made_up_identification(const CableNet& net) {
         identification.edges.push_back({.edge = edge,
                                         .nominal = net.unstressed_lengths()(edge),
                                         .length_deviation = deviation,
-                                        .std = 1e-4,
+                                        .std_dev = 1e-4,
                                         .lower = deviation - 2e-4,
                                         .upper = deviation + 2e-4});
     }
@@ -158,7 +159,7 @@ inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
     data.nodes += deviation;
     const BuiltNet built{
         .net = CableNet(data), .length_draws = {}, .perturbations = {}, .no_draws_because = ""};
-    Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 0.015);
+    Limits limits = stroke_limits(net, net.adjustable_edges(), 0.015);
     limits.tension.lower.setConstant(1500.0);
     limits.tension.upper.setConstant(4000.0);
     limits.tension.upper(0) = std::numeric_limits<double>::infinity();

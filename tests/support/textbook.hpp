@@ -48,7 +48,7 @@ inline double textbook_negative_log_likelihood(const Eigen::MatrixXd& inputs,
 
 struct TextbookPrediction {
     Eigen::VectorXd mean;
-    Eigen::VectorXd std;
+    Eigen::VectorXd std_dev;
 };
 
 /// Eqs. mx_* and sigmax_* with zero mean function, at the columns of `at`.
@@ -61,7 +61,7 @@ inline TextbookPrediction textbook_prediction(const Eigen::MatrixXd& inputs,
     const Eigen::VectorXd explained = k.cwiseProduct(C.solve(k)).colwise().sum().transpose();
     const double variance = theta.signal_std * theta.signal_std;
     return {.mean = k.transpose() * C.solve(y),
-            .std = (variance - explained.array()).cwiseMax(0.0).sqrt()};
+            .std_dev = (variance - explained.array()).cwiseMax(0.0).sqrt()};
 }
 
 }  // namespace taut::test

@@ -75,9 +75,9 @@ TEST(CableFrequency, IsThatOfTheStringWithModesMissingAndAForeignPeak) {
         EXPECT_NEAR(found.fundamental->frequency, f1, 2e-3 * f1);
         EXPECT_NEAR(found.fundamental->inharmonicity, 3e-4, 1e-4);
         EXPECT_LT(found.fundamental->misfit, 2e-3);
-        EXPECT_LT(found.fundamental->std, 3e-3 * f1);
+        EXPECT_LT(found.fundamental->std_dev, 3e-3 * f1);
         within +=
-            std::abs(found.fundamental->frequency - f1) < 2.0 * found.fundamental->std ? 1 : 0;
+            std::abs(found.fundamental->frequency - f1) < 2.0 * found.fundamental->std_dev ? 1 : 0;
     }
     EXPECT_GE(within, 26);
 }
@@ -199,15 +199,15 @@ TEST(WelchSpectrum, HoldsPowerInTheGroupsOfItsTime) {
 TEST(ModeNumbers, FitTheStiffStringExactly) {
     std::vector<FrequencyPeak> peaks;
     for (const int n : {1, 2, 3, 5, 8}) {
-        peaks.push_back({.frequency = 3.0 * n * std::sqrt(1.0 + 2e-3 * n * n), .std = 1e-3});
+        peaks.push_back({.frequency = 3.0 * n * std::sqrt(1.0 + 2e-3 * n * n), .std_dev = 1e-3});
     }
     const auto found = number_modes(peaks, {.lowest = 0.1, .highest = 50.0}, false);
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(found[0].modes, (std::vector{1, 2, 3, 5, 8}));
     EXPECT_NEAR(found[0].frequency, peaks[0].frequency, 1e-9);
     EXPECT_NEAR(found[0].inharmonicity, 2e-3, 1e-9);
-    EXPECT_GT(found[0].std, 1e-3);
-    EXPECT_LT(found[0].std, 3e-3);
+    EXPECT_GT(found[0].std_dev, 1e-3);
+    EXPECT_LT(found[0].std_dev, 3e-3);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ CableNet sloping() {
 }
 
 /// Points on the exact catenary through (0, 0, 0) and (16, 0, 12) whose horizontal tension is H.
-std::vector<SagPoint> on_catenary(double H, int count, double std, double offset = 0.0) {
+std::vector<SagPoint> on_catenary(double H, int count, double std_dev, double offset = 0.0) {
     const double a = H / (mass * 9.80665);
     // z = a (cosh((x - c)/a) - cosh(c/a)), with c such that z(16) = 12.
     double low = -1e4, high = 1e4;
@@ -47,7 +47,8 @@ std::vector<SagPoint> on_catenary(double H, int count, double std, double offset
     std::vector<SagPoint> points;
     for (int k = 1; k <= count; ++k) {
         const double x = 16.0 * k / (count + 1);
-        points.push_back({.edge = 0, .position = {x, 0.0, z_of(x, low) + offset}, .std = std});
+        points.push_back(
+            {.edge = 0, .position = {x, 0.0, z_of(x, low) + offset}, .std_dev = std_dev});
     }
     return points;
 }
@@ -81,7 +82,7 @@ TEST(CableSag, ItsStandardDeviationIsThatOfItsError) {
             point.position.z() += normal(random);
         }
         const ForceMeasurement found = tensions_by_sag(net, net.nodes(), points)[0];
-        squares += std::pow((found.tension - middle_tension(H)) / found.std, 2) / surveys;
+        squares += std::pow((found.tension - middle_tension(H)) / found.std_dev, 2) / surveys;
     }
     EXPECT_NEAR(std::sqrt(squares), 0.8, 0.25);  // only z errs, of which cos(beta) is across
 }

@@ -65,7 +65,7 @@ TEST(CableVibration, AnExpectedFrequencyShowsItsTension) {
         const double length = span_of(net, 0);
         const double frequency = expected_frequency(net, 0, length, 5e3).value();
         EXPECT_NEAR(tension_by_frequency(net, net.nodes(),
-                                         {.edge = 0, .frequency = frequency, .std = 1.0}, 0.0)
+                                         {.edge = 0, .frequency = frequency, .std_dev = 1.0}, 0.0)
                         .tension,
                     5e3, 1e-6);
         EXPECT_FALSE(expected_frequency(net, 0, length, 0.0));
@@ -77,19 +77,19 @@ TEST(CableVibration, AnExpectedFrequencyShowsItsTension) {
 TEST(CableVibration, FrequencyAndFreeLengthAreInItsOwnError) {
     const CableNet net = with_mass(0.1);
     const ForceMeasurement found = tension_by_frequency(
-        net, net.nodes(), {.edge = 2, .frequency = 50.0, .mode = 2, .std = 0.5}, 0.01);
+        net, net.nodes(), {.edge = 2, .frequency = 50.0, .mode = 2, .std_dev = 0.5}, 0.01);
     const double string = 0.1 * std::pow(2.0 * span_of(net, 2) * 25.0, 2);
     EXPECT_EQ(found.mode, 2);
     EXPECT_NEAR(found.tension, string, 0.05 * string);
-    EXPECT_NEAR(found.std, 2.0 * found.tension * std::hypot(0.01, 0.01 / span_of(net, 2)),
+    EXPECT_NEAR(found.std_dev, 2.0 * found.tension * std::hypot(0.01, 0.01 / span_of(net, 2)),
                 1e-9 * string);
 }
 
 TEST(CableVibration, BendingAndEndsAreInTheErrorThatAllShare) {
     const auto shared = [](double bending_stiffness) {
         const CableNet net = with_mass(0.1, bending_stiffness);
-        return tension_by_frequency(net, net.nodes(),
-                                    {.edge = 2, .frequency = 50.0, .mode = 2, .std = 0.5}, 0.01);
+        return tension_by_frequency(
+            net, net.nodes(), {.edge = 2, .frequency = 50.0, .mode = 2, .std_dev = 0.5}, 0.01);
     };
     const ForceMeasurement limp = shared(1e-9);
     const ForceMeasurement stiff = shared(0.12);
@@ -103,8 +103,8 @@ TEST(CableVibration, KnownEndsAreNotInTheErrorThatAllShare) {
         CableNetData data = with_mass(0.1, bending_stiffness).data();
         data.cable_ends.assign(data.edges.size(), ends);
         const CableNet net(std::move(data));
-        return tension_by_frequency(net, net.nodes(),
-                                    {.edge = 2, .frequency = 50.0, .mode = 1, .std = 0.5}, 0.01);
+        return tension_by_frequency(
+            net, net.nodes(), {.edge = 2, .frequency = 50.0, .mode = 1, .std_dev = 0.5}, 0.01);
     };
     const double length = span_of(with_mass(0.1), 2);
     const VibratingCable cable{.length = length, .mass = 0.1, .bending_stiffness = 0.12};
@@ -128,12 +128,12 @@ TEST(CableVibration, WhatIsNoStringIsRefused) {
             },
             ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
     };
-    const FrequencyMeasurement sound{.edge = 2, .frequency = 50.0, .mode = 1, .std = 0.5};
+    const FrequencyMeasurement sound{.edge = 2, .frequency = 50.0, .mode = 1, .std_dev = 0.5};
     FrequencyMeasurement vague = sound;
-    vague.std = 40.0;
+    vague.std_dev = 40.0;
     FrequencyMeasurement slow = sound;
     slow.frequency = 0.02;
-    slow.std = 1e-3;
+    slow.std_dev = 1e-3;
     expect_refused(two_node_net(), sound, "needs its mass");
     expect_refused(with_mass(0.1), sound, "free length", 100.0);
     expect_refused(with_mass(0.1), vague, "below half of it");

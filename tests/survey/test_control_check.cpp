@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against a support that was measured elsewhere than the net has it being passed over.
-#include "taut/survey/control_check.hpp"
+#include "survey/control_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

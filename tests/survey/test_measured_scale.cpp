@@ -4,7 +4,7 @@
 // Guards against a survey in a map grid, or by an instrument of wrong scale: a twentieth of a per
 // cent is more than a steel cable stretches, and it would all go into the lengths.
 
-#include "taut/survey/measured_scale.hpp"
+#include "survey/measured_scale.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(MeasuredScale, IsFoundInAnyFrame) {
         const auto found = measured_scale(control_points(scale, 0.0));
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->scale, scale, 1e-10);
-        EXPECT_LT(found->std, 1e-9);
+        EXPECT_LT(found->std_dev, 1e-9);
         EXPECT_EQ(found->redundancy, 3 * 128 - 7);
     }
 }
@@ -59,7 +59,7 @@ TEST(MeasuredScale, HasTheStandardErrorThatItGives) {
     double squares = 0.0;
     for (int seed = 0; seed < surveys; ++seed) {
         const auto found = measured_scale(control_points(1.0002, 1e-3, seed, 16));
-        squares += std::pow((found->scale - 1.0002) / found->std, 2);
+        squares += std::pow((found->scale - 1.0002) / found->std_dev, 2);
     }
     // A chi-squared of so many surveys, its spread 7 %, and Student's t of 41: 2.5 % wider.
     EXPECT_NEAR(squares / surveys, 1.05, 0.25);

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "taut/survey/planned_survey.hpp"
+#include "survey/planned_survey.hpp"
 
 namespace {
 

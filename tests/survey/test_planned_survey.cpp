@@ -3,7 +3,7 @@
 //
 // Guards against a plan that names other nodes than it says.
 
-#include "taut/survey/planned_survey.hpp"
+#include "survey/planned_survey.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include <rapidcheck/gtest.h>
 #include <Eigen/Geometry>
 
+#include "survey/covariance.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/survey/covariance.hpp"
 
 namespace {
 
@@ -192,17 +192,17 @@ TEST(Moved, TurnsTheCovarianceOfATargetWithIt) {
         .rotation =
             Eigen::AngleAxisd(0.7, Eigen::Vector3d(2, -1, 3).normalized()).toRotationMatrix(),
         .to = {10, 20, 30}};
-    const PlaceNoise noise{.std = {1e-3, 3e-3, 2e-3}, .correlations = {0.3, -0.6, 0.2}};
+    const PlaceNoise noise{.std_dev = {1e-3, 3e-3, 2e-3}, .correlations = {0.3, -0.6, 0.2}};
     const auto points = moved({{.id = "A",
                                 .position = {1, 2, 3},
-                                .noise_std = noise.std,
+                                .noise_std = noise.std_dev,
                                 .noise_correlations = noise.correlations},
                                {.id = "B", .position = {}, .noise_std = Eigen::Vector3d(1, 1, 1)}},
                               motion);
     const Eigen::Matrix3d expected =
         motion.rotation * covariance_of(noise) * motion.rotation.transpose();
-    const Eigen::Matrix3d found =
-        covariance_of({.std = *points[0].noise_std, .correlations = points[0].noise_correlations});
+    const Eigen::Matrix3d found = covariance_of(
+        {.std_dev = *points[0].noise_std, .correlations = points[0].noise_correlations});
     EXPECT_TRUE(found.isApprox(expected, 1e-12)) << found;
     // The same in every direction, and so in every frame: to the last bit.
     EXPECT_EQ(*points[1].noise_std, Eigen::Vector3d(1, 1, 1));

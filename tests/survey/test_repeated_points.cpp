@@ -29,17 +29,17 @@ TEST(RepeatedPoints, AreAveragedWithoutLossFarFromTheOrigin) {
 }
 
 TEST(RepeatedPoints, HaveTheCovarianceOfTheirMean) {
-    const Eigen::Vector3d std(3e-3, 3e-3, 6e-3);
+    const Eigen::Vector3d std_dev(3e-3, 3e-3, 6e-3);
     const std::vector<SurveyPoint> points{{.id = "A",
                                            .position = {1, 2, 3},
-                                           .noise_std = std,
+                                           .noise_std = std_dev,
                                            .noise_correlations = {0.5, 0.0, -0.25}},
                                           {.id = "A",
                                            .position = {1, 2, 3},
-                                           .noise_std = std,
+                                           .noise_std = std_dev,
                                            .noise_correlations = {0.1, 0.0, 0.25}}};
     const SurveyPoint mean = average_repeated(points, 0.0).points.front();
-    EXPECT_TRUE(mean.noise_std->isApprox(std / std::sqrt(2.0), 1e-12));
+    EXPECT_TRUE(mean.noise_std->isApprox(std_dev / std::sqrt(2.0), 1e-12));
     EXPECT_TRUE(mean.noise_correlations.isApprox(Eigen::Vector3d(0.3, 0.0, 0.0), 1e-12));
 }
 

@@ -16,9 +16,9 @@
 #include <nlohmann/json.hpp>
 
 #include "support/finite_differences.hpp"
+#include "survey/covariance.hpp"
 #include "survey/polar_residual.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/survey/covariance.hpp"
 #include "taut/survey/registration.hpp"
 #include "taut/survey/simulation.hpp"
 
@@ -47,7 +47,7 @@ PolarSurvey survey_of(const json& reference) {
 }
 
 Eigen::Matrix3d covariance_of_point(const SurveyPoint& point) {
-    return covariance_of({.std = *point.noise_std, .correlations = point.noise_correlations});
+    return covariance_of({.std_dev = *point.noise_std, .correlations = point.noise_correlations});
 }
 
 TEST(StationAdjustment, GivesThePlacesAndCovariancesOfAnIndependentSolver) {
@@ -104,7 +104,7 @@ protected:
         PolarSimulation simulation = m_simulation;
         simulation.seed = seed;
         simulation.angle_std *= part;
-        simulation.distance.std *= part;
+        simulation.distance.std_dev *= part;
         simulation.distance.part *= part;
         return simulate_polar_survey(m_net, m_net.nodes(), simulation);
     }

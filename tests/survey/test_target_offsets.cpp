@@ -74,7 +74,7 @@ TEST(TargetOffsets, AreTakenBackAndWidenTheNoiseAlongTheNormal) {
     Survey survey = match_to_nodes(net, points, 0.5e-3);
     const double before = (survey.form - net.nodes()).colwise().norm().maxCoeff();
     EXPECT_NEAR(before, 0.003, 1e-12);
-    take_off_offsets(net, {.all = TargetOffset{.offset = 0.003, .std = 0.2e-3}}, survey);
+    take_off_offsets(net, {.all = TargetOffset{.offset = 0.003, .std_dev = 0.2e-3}}, survey);
     EXPECT_LT((survey.form - net.nodes()).cwiseAbs().maxCoeff(), 1e-12);
     const Points normals = node_normals(net, net.nodes());
     for (const int node : net.free_nodes()) {
@@ -133,8 +133,8 @@ TEST(TargetOffsets, WithoutANormalCountAsNoise) {
 
 TEST(TargetOffsets, AreParsedWithTheirStandardDeviation) {
     EXPECT_DOUBLE_EQ(parse_target_offset("-3mm").offset, -0.003);
-    EXPECT_EQ(parse_target_offset("-3mm").std, 0.0);
-    EXPECT_DOUBLE_EQ(parse_target_offset("3mm:0.2mm").std, 0.2e-3);
+    EXPECT_EQ(parse_target_offset("-3mm").std_dev, 0.0);
+    EXPECT_DOUBLE_EQ(parse_target_offset("3mm:0.2mm").std_dev, 0.2e-3);
     for (const char* const bad : {"", "3mm:", "3mm:-1mm", "three"}) {
         EXPECT_THROW(static_cast<void>(parse_target_offset(bad)), std::invalid_argument) << bad;
     }

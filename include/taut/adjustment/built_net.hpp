@@ -31,49 +31,11 @@ struct BuiltNet {
     Eigen::VectorXd shown_lengths = {};
 };
 
-/// The net with all that an identification estimated: lengths, uncertain parameters, boundary
-/// outliers. Lengths of adjustable edges are as given unless the survey contradicts them. The nodes
-/// are in equilibrium, in the frame of `net`; its loads include its self-weight. Runs slide from
-/// where they were found, with CableRun::likely_friction where none is given. Without
-/// samples.
-/// @param net with what was turned since: turned_net()
-/// @param edges, uncertain, boundary_outliers of an identification of this net; their indices are
-///   not checked
-/// @throws std::invalid_argument where these find no equilibrium, or are no net (NetError)
-/// @throws std::out_of_range for an uncertain parameter of a group that the net does not have
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT BuiltNet
-net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
-                  std::span<const ParameterEstimate> uncertain,
-                  std::span<const BoundaryOutlier> boundary_outliers);
-
-/// Length of an edge less that of the design; of an adjustable one as its turnbuckle shows it: what
-/// was turned since, and a gross error that was found [m].
-[[nodiscard]] inline double turned_from_design(const CableNet& designed, const BuiltNet& built,
-                                               int edge) {
-    const Eigen::VectorXd& lengths =
-        built.shown_lengths.size() > 0 ? built.shown_lengths : built.net.unstressed_lengths();
-    return lengths(edge) - designed.unstressed_lengths()(edge);
-}
-
-/// The worst finding of a failed identification and its remedy, for BuiltNet::failed_because; empty
-/// where it did not fail.
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string failure_of(const Trust& trust);
-
 /// net_as_identified() with the posterior samples, where these are reliable.
 /// @param net as designed: the identification holds what was turned since
 /// @param identification of this net, which is not checked
 /// @throws std::invalid_argument as net_as_identified() and add_draws()
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT BuiltNet built_net_of(const CableNet& net,
                                                            const Identification& identification);
-
-/// Adds the posterior samples of an identification to the net, or the reason why they are unusable.
-/// @param built gets the samples, or the reason
-/// @param turned the net with what was turned, as given
-/// @param draws of this net; their sizes are not checked
-/// @param uncertain of the identification: samples of an older version hold lengths alone
-/// @throws std::invalid_argument for samples in which an edge has no positive length
-TAUT_ADJUSTMENT_EXPORT void add_draws(BuiltNet& built, const CableNet& turned,
-                                      const PosteriorDraws& draws,
-                                      std::span<const ParameterEstimate> uncertain);
 
 }  // namespace taut

@@ -95,10 +95,11 @@ struct TAUT_ADJUSTMENT_EXPORT Limits {
 };
 
 /// Strokes of at most `stroke` either way, and no edge slack.
-/// @param edges number of adjustable edges
+/// @param edges that may be turned
 /// @param stroke 0 or more; checked by check_limits() [m]
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Limits limits_of_stroke(const CableNet& net, size_t edges,
-                                                             double stroke);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Limits stroke_limits(const CableNet& net,
+                                                          const std::vector<int>& edges,
+                                                          double stroke);
 
 /// Checks that limits are consistent.
 /// @param edges that may be turned, indices of the net: not checked

@@ -13,6 +13,7 @@
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/adjustment/tension_target.hpp"
+#include "taut/error.hpp"
 #include "taut/export/adjustment.hpp"
 #include "taut/progress.hpp"
 
@@ -59,8 +60,12 @@ struct TAUT_ADJUSTMENT_EXPORT PlanOptions {
 };
 
 /// The identification failed its checks, so no plan is made; the message says why it failed.
-class TAUT_ADJUSTMENT_EXPORT FailedIdentification : public std::invalid_argument {
+class TAUT_ADJUSTMENT_EXPORT FailedIdentification : public std::invalid_argument, public Error {
+public:
     using std::invalid_argument::invalid_argument;
+    [[nodiscard]] ErrorCode code() const noexcept override {
+        return ErrorCode::failed_identification;
+    }  ///< Error
 };
 
 /// One edge that is to be turned.

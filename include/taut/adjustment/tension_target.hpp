@@ -49,7 +49,7 @@ struct TAUT_ADJUSTMENT_EXPORT ReachedTension {
     double unconstrained = 0.0;         ///< with unlimited strokes, no edge slack
     double of_any_form = 0.0;           ///< the same without regard to the form
     std::optional<double> mean;         ///< over the samples, as planned; empty without
-    std::optional<double> std;          ///< likewise
+    std::optional<double> std_dev;      ///< likewise
     std::optional<double> probability;  ///< that it is within the tolerance; empty without samples
     TensionObstacle obstacle = TensionObstacle::none;  ///< what keeps it out of its tolerance
 

@@ -21,8 +21,8 @@ inline constexpr double negligible_scale = 0.25;
 
 /// An estimated standard deviation relative to the given one.
 struct TAUT_CORE_EXPORT FoundScale {
-    double ratio = 1.0;  ///< estimated over given; 0 where the survey does not show it
-    double std = 0.0;    ///< of the ratio, if the given one is true
+    double ratio = 1.0;    ///< estimated over given; 0 where the survey does not show it
+    double std_dev = 0.0;  ///< of the ratio, if the given one is true
 
     /// Whether the ratio is significant: its probability is below 1 in 10,000 if the given one is
     /// true.
@@ -78,8 +78,8 @@ struct TAUT_CORE_EXPORT FrameCheck {
 
 /// How a survey would fit better with other loads.
 struct TAUT_CORE_EXPORT LoadCheck {
-    double force = 0.0;  ///< downwards at each free node, besides the net's [N]
-    double std = 0.0;    ///< of that, if there is none; 0 where the survey does not show it [N]
+    double force = 0.0;    ///< downwards at each free node, besides the net's [N]
+    double std_dev = 0.0;  ///< of that, if there is none; 0 where the survey does not show it [N]
 
     /// Whether that is significant.
     [[nodiscard]] bool is_missing() const;

@@ -27,7 +27,7 @@ inline constexpr double determined_ratio = 0.5;
 inline constexpr double not_determined_ratio = 0.9;
 
 /// The status by that rule, for a number that is not slack. Standard deviations are not checked.
-[[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(double prior_std, double std);
+[[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(double prior_std, double std_dev);
 
 /// Half the width of the 95 % interval of a normal distribution, in standard deviations.
 inline constexpr double half_interval_95 = 1.959963984540054;

@@ -33,7 +33,7 @@ struct ForceOutlier {
 struct LengthOutlier {
     int edge = 0;            ///< an interior one
     double deviation = 0.0;  ///< of its length by the survey alone [m]
-    double std = 0.0;        ///< of that [m]
+    double std_dev = 0.0;    ///< of that [m]
     double statistic = 0.0;  ///< squared distance from the prior in its variances
     /// Edge that is as much shorter as this one is longer, or vice versa: a clamp slipped along the
     /// cable, or both were swapped; -1: none.
@@ -53,8 +53,8 @@ struct BoundaryOutlier {
     int index = 0;                      ///< of the edge or node
     /// Of the edge's length (the first alone), or of the support's place [m].
     Eigen::Vector3d deviation = Eigen::Vector3d::Zero();
-    Eigen::Vector3d std = Eigen::Vector3d::Zero();  ///< of that [m]
-    double statistic = 0.0;                         ///< its square in standard deviations
+    Eigen::Vector3d std_dev = Eigen::Vector3d::Zero();  ///< of that [m]
+    double statistic = 0.0;                             ///< its square in standard deviations
     /// Support of the edge, or adjustable edge at the support, that would explain it nearly as
     /// well; -1: none.
     int confounded_with = -1;
@@ -62,8 +62,8 @@ struct BoundaryOutlier {
 
 /// Common relative error of all force measurements: a wrong unit or calibration.
 struct ForceBias {
-    double part = 0.0;  ///< they are too high by
-    double std = 0.0;   ///< of that
+    double part = 0.0;     ///< they are too high by
+    double std_dev = 0.0;  ///< of that
 };
 
 /// Probability that a survey without gross errors loses a target by the test. Small, since a lost

@@ -32,7 +32,7 @@ struct CommonDeviation {
 struct PriorEstimate {
     LengthPrior given;                 ///< given, or assumed where none was
     bool exact = true;                 ///< taken as exact: the one node is it
-    double std = 0.0;                  ///< posterior mean of the deviations' standard deviation [m]
+    double std_dev = 0.0;              ///< posterior mean of the deviations' standard deviation [m]
     double std_std = 0.0;              ///< posterior standard deviation of that [m]
     double uniform_probability = 0.0;  ///< posterior probability of the uniform shape
     CommonDeviation common;            ///< of the most probable node
@@ -42,7 +42,7 @@ struct PriorEstimate {
 /// A prior that is taken as exact.
 [[nodiscard]] inline PriorEstimate exact_prior(const LengthPrior& prior) {
     return {.given = prior,
-            .std = prior.std(),
+            .std_dev = prior.std_dev(),
             .uniform_probability = prior.kind == LengthPrior::Kind::uniform ? 1.0 : 0.0,
             .nodes = {{.prior = prior}}};
 }

@@ -11,13 +11,17 @@
 #include <vector>
 
 #include "taut/abi.hpp"
+#include "taut/error.hpp"
 #include "taut/export/io.hpp"
 
 namespace taut {
 
 /// A file that cannot be written. The message is one line that names it.
-class TAUT_IO_EXPORT OutputError : public std::runtime_error {
+class TAUT_IO_EXPORT OutputError : public std::runtime_error, public Error {
 public:
+    [[nodiscard]] ErrorCode code() const noexcept override {
+        return ErrorCode::output_file;
+    }  ///< Error
     /// @param what is wrong
     OutputError(const std::filesystem::path& file, const std::string& what);
     /// The same with what else is to be known.

@@ -27,17 +27,17 @@ struct Epoch {
 
 /// Of which survey the result is: the last without loads of its own.
 /// @throws std::invalid_argument where there is none, and where anything was turned after it
-[[nodiscard]] TAUT_CORE_EXPORT size_t reported_epoch(std::span<const Epoch> epochs);
+[[nodiscard]] TAUT_CORE_EXPORT int reported_epoch(std::span<const Epoch> epochs);
 
 /// An error of one survey of several.
 class TAUT_CORE_EXPORT EpochError : public SurveyError {
 public:
     /// @param epoch the survey, from 0
-    EpochError(size_t epoch, const std::string& what) : SurveyError(0, what), m_epoch(epoch) {}
-    [[nodiscard]] size_t epoch() const { return m_epoch; }  ///< from 0
+    EpochError(int epoch, const std::string& what) : SurveyError(0, what), m_epoch(epoch) {}
+    [[nodiscard]] int epoch() const { return m_epoch; }  ///< from 0
 
 private:
-    size_t m_epoch;
+    int m_epoch;
 };
 
 /// More interior edges are refused: the common evidence is a full matrix of all lengths.

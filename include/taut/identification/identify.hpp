@@ -60,10 +60,10 @@ struct IdentifyOptions {
     /// `training_samples` samples of the prior, and discarded.
     const LengthModel* model = nullptr;
     int training_samples = 1000;  ///< at least 2
-    /// Draws of the posterior, for map (the other methods make none); 0: none. Slack edges are then
-    /// those of the linearised fit, which is not reliable where cables stretch by less than their
-    /// lengths are known to.
-    int draws = 0;
+    /// Draws of the posterior, for map (the other methods make none). Empty: default_draws(). 0:
+    /// none; slack edges are then those of the linearised fit, which is not reliable where cables
+    /// stretch by less than their lengths are known to.
+    std::optional<int> draws = {};
     /// Interior edges whose lengths' covariances are wanted: Identification::length_covariance. For
     /// map; each takes the time of one more step of the fit.
     std::vector<int> covariance_of = {};
@@ -73,7 +73,7 @@ struct IdentifyOptions {
     std::uint64_t seed = 1;  ///< of the draws
 };
 
-/// Default number of draws of the program: 200, where the 95 % interval ends at the fifth from
+/// Number of draws where none is given: 200, where the 95 % interval ends at the fifth from
 /// either side. For more than 10,000 interior edges and for tension laws, where each takes long,
 /// 40, where it ends at the outermost.
 [[nodiscard]] TAUT_CORE_EXPORT int default_draws(const CableNet& net);

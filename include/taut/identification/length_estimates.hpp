@@ -15,7 +15,7 @@ struct LengthEstimates {
     Eigen::MatrixXd mean;  ///< m_I x k [m]
     /// m_I x k [m]. Of the true length deviation: the process's own variance (eq. sigmax_*) and its
     /// noise variance sigma_w^2, the part of the length that the form does not show to it.
-    Eigen::MatrixXd std;
+    Eigen::MatrixXd std_dev;
 };
 
 /// Eq. ident for k forms: their deviations from the model's nominal form (3 n_I x k) [m]. Edges

@@ -93,9 +93,9 @@ struct LengthModel {
 ///   out of range, and for `as_in_paper` with another mean function or kernel than the paper's
 /// @throws NetError where a run of the net slides
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] TAUT_CORE_EXPORT LengthModel train(const CableNet& net, const DataSet& data,
-                                                 const std::vector<int>& samples,
-                                                 const TrainingSettings& settings = {},
-                                                 const Progress& progress = {});
+[[nodiscard]] TAUT_CORE_EXPORT LengthModel train_model(const CableNet& net, const DataSet& data,
+                                                       const std::vector<int>& samples,
+                                                       const TrainingSettings& settings = {},
+                                                       const Progress& progress = {});
 
 }  // namespace taut

@@ -40,7 +40,7 @@ struct PosteriorDraws {
     Eigen::MatrixXd forms;             ///< 3 n_I x draws, free coordinates [m]
     Eigen::MatrixXd tensions;          ///< m x draws, of all edges [N]
     std::uint64_t seed = 1;            ///< of the random numbers
-    std::string how;                   ///< method of drawing, in words
+    std::string method;                ///< of drawing, in words
     bool is_refitted = false;  ///< by fits of their own or chains: they determine the lengths, too
     std::string reason;        ///< why they are not reliable; empty: they are
 
@@ -48,20 +48,13 @@ struct PosteriorDraws {
     [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }
 };
 
-/// Mean, standard deviation and 95 % interval of a number over draws.
+/// Mean, standard deviation and 95 % interval of a number over draws, docs/theory.md (drawn).
 struct DrawnEstimate {
-    double mean = 0.0;   ///< in the unit of the number, as all below
-    double std = 0.0;    ///< divisor draws - 1; 0 of one draw
-    double lower = 0.0;  ///< lower end of the interval
-    double upper = 0.0;  ///< its upper end
+    double mean = 0.0;     ///< in the unit of the number, as all below
+    double std_dev = 0.0;  ///< divisor draws - 1; 0 of one draw
+    double lower = 0.0;    ///< lower end of the interval
+    double upper = 0.0;    ///< its upper end
 };
-
-/// The interval ends at the order statistics of rank p (draws + 1), p = 0.025 and 0.975: so another
-/// draw of the same posterior falls within with 95 %, however few there are, docs/theory.md
-/// (drawn).
-/// @param values one a draw, at least one, which is not checked
-[[nodiscard]] TAUT_CORE_EXPORT DrawnEstimate
-estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// Posterior of the tension of one edge.
 struct DrawnTension {
@@ -72,11 +65,11 @@ struct DrawnTension {
 
 /// Posterior of the place of one free node.
 struct DrawnPlace {
-    int node = 0;           ///< index of a free node
-    Eigen::Vector3d mean;   ///< [m]
-    Eigen::Vector3d std;    ///< [m]
-    Eigen::Vector3d lower;  ///< 95 % interval of each coordinate [m]
-    Eigen::Vector3d upper;  ///< its upper end [m]
+    int node = 0;             ///< index of a free node
+    Eigen::Vector3d mean;     ///< [m]
+    Eigen::Vector3d std_dev;  ///< [m]
+    Eigen::Vector3d lower;    ///< 95 % interval of each coordinate [m]
+    Eigen::Vector3d upper;    ///< its upper end [m]
 };
 
 /// Tensions and places that follow from draws.
@@ -85,12 +78,5 @@ struct DrawnSummary {
     DrawnEstimate mean_tension;          ///< over all cables [N]
     std::vector<DrawnPlace> missing;     ///< of the nodes that the survey misses
 };
-
-/// What tensions and missing nodes follow from draws.
-/// @param draws at least one, not checked
-/// @param missing free nodes of the net, not checked
-[[nodiscard]] TAUT_CORE_EXPORT DrawnSummary summary_of(const PosteriorDraws& draws,
-                                                       const CableNet& net,
-                                                       const std::vector<int>& missing);
 
 }  // namespace taut

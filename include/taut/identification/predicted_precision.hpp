@@ -16,7 +16,7 @@ namespace taut {
 /// Predicted precision of one interior edge's unstressed length.
 struct EdgePrecision {
     int edge = 0;                                ///< index in the net
-    double std = 0.0;                            ///< of the length deviation, after the survey [m]
+    double std_dev = 0.0;                        ///< of the length deviation, after the survey [m]
     EdgeStatus status = EdgeStatus::determined;  ///< that an identification most probably gives
 };
 
@@ -24,7 +24,7 @@ struct EdgePrecision {
 struct TensionPrecision {
     int edge = 0;          ///< index in the net
     double tension = 0.0;  ///< in the form of the prediction [N]
-    double std = 0.0;      ///< of the tension, after the survey and the given measurements [N]
+    double std_dev = 0.0;  ///< of the tension, after the survey and the given measurements [N]
     /// Standard deviation of the mean tension if this edge's is measured, too [N].
     double mean_std_if_measured = 0.0;
 };

@@ -41,7 +41,7 @@ struct IdentifiedEdge {
     int edge = 0;                                ///< index in the net
     double nominal = 0.0;                        ///< unstressed length as designed [m]
     double length_deviation = 0.0;               ///< estimate of true minus nominal [m]
-    double std = 0.0;                            ///< standard deviation of the estimate [m]
+    double std_dev = 0.0;                        ///< standard deviation of the estimate [m]
     double lower = 0.0;                          ///< 95 % interval of the length deviation [m]
     double upper = 0.0;                          ///< its upper end [m]
     EdgeStatus status = EdgeStatus::determined;  ///< whether the survey determines its length
@@ -54,7 +54,7 @@ struct StretchLength {
     double nominal = 0.0;           ///< unstressed length as designed [m]
     double friction = 0.0;          ///< largest coefficient that the fit allowed for
     double length_deviation = 0.0;  ///< estimate of true minus nominal [m]
-    double std = 0.0;               ///< standard deviation of the estimate [m]
+    double std_dev = 0.0;           ///< standard deviation of the estimate [m]
     double tension = 0.0;           ///< mean of its edges [N]
     double tension_std = 0.0;       ///< standard deviation of that [N]
 };
@@ -92,7 +92,7 @@ struct TAUT_CORE_EXPORT FrameOffset {
 struct LengthChange {
     int edge = 0;            ///< index in the net; of the first survey: an adjustable edge
     double change = 0.0;     ///< when it was set free [m]
-    double std = 0.0;        ///< [m]
+    double std_dev = 0.0;    ///< [m]
     double statistic = 0.0;  ///< in standard deviations, when it was detected
 };
 
@@ -130,7 +130,7 @@ struct EpochResult {
 struct Identification {
     std::string method;         ///< "gp", "balance", "map"
     std::string method_reason;  ///< why this method, in words
-    std::string how;            ///< method, prior and training, in words
+    std::string description;    ///< method, prior and training, in words
     /// Prior of the length deviations that explains the survey best, of those assumed.
     LengthPrior length_prior;
     PriorEstimate prior;  ///< all priors assumed, with their posterior probabilities

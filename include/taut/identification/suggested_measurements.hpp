@@ -63,7 +63,7 @@ struct SuggestedMeasurement {
     int edge = -1;                                   ///< index in the net; -1: it is at a node
     int node = -1;                                   ///< index in the net; -1: it is at an edge
     double expected = 0.0;  ///< as designed: tension [N], frequency [Hz], sag [m]; the load [N]
-    double std = 0.0;       ///< standard deviation of the measurement, in that unit; 0: none
+    double std_dev = 0.0;   ///< standard deviation of the measurement, in that unit; 0: none
     double remaining_std = 0.0;  ///< of the sought quantity, see MeasurementSuggestions
     double total_cost = 0.0;     ///< with those before it
 };
@@ -74,7 +74,7 @@ struct MeasurementSuggestions {
     double mean_tension = 0.0;                               ///< as designed [N]
     /// Standard deviation of the sought quantity by the survey alone: of tensions [N], of the form
     /// [m].
-    double std = 0.0;
+    double std_dev = 0.0;
     std::vector<SuggestedMeasurement> steps;  ///< none where none helps by one per cent
     std::vector<std::string> left_out;        ///< kinds that are not among them, and why
 };

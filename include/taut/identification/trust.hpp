@@ -73,12 +73,12 @@ struct TAUT_CORE_EXPORT Trust {
         Verdict severity = Verdict::passed;  ///< what this alone leads to
         std::vector<std::string> ids;        ///< of its edges or nodes
         std::optional<double> value;         ///< SI, as `Kind` has it
-        std::optional<double> std;           ///< standard deviation of the value
+        std::optional<double> std_dev;       ///< standard deviation of the value
         /// Edges and nodes that would explain it nearly as well: the survey does not show which.
         std::vector<std::string> confounded_with;
         std::optional<Remedy> remedy;  ///< what to identify again with
         std::string reason;            ///< in sentences
-        std::string next;              ///< what to do about it, in sentences; may be empty
+        std::string advice;            ///< what to do about it, in sentences; may be empty
 
         /// Both, one after the other.
         [[nodiscard]] std::string text() const;

@@ -16,7 +16,7 @@ namespace taut {
 struct ForceFormat {
     double unit = 1.0;           ///< of the file's numbers [N]
     double relative_std = 0.02;  ///< of measurements without std, as a part of each
-    double std = 0.0;            ///< of these, absolute; 0: relative_std holds [N]
+    double std_dev = 0.0;        ///< of these, absolute; 0: relative_std holds [N]
 };
 
 /// Reads tensions, one edge a line: edge,tension[,std]. The header with these names may be left

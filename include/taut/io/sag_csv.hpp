@@ -23,6 +23,6 @@ namespace taut {
 [[nodiscard]] TAUT_IO_EXPORT std::vector<SagPoint> parse_sag_points(const CableNet& net,
                                                                     std::string_view text,
                                                                     const std::string& file_name,
-                                                                    double std);
+                                                                    double std_dev);
 
 }  // namespace taut

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/error.hpp"
 #include "taut/export/core.hpp"
 #include "taut/net/cable_ends.hpp"
 #include "taut/net/tension_law.hpp"
@@ -28,8 +29,9 @@ using Edge = std::array<int, 2>;
 
 /// A broken rule of a cable net, and its place in CableNetData. what() holds both:
 /// "edges[3]: connects node 7 to itself".
-class TAUT_CORE_EXPORT NetError : public std::invalid_argument {
+class TAUT_CORE_EXPORT NetError : public std::invalid_argument, public Error {
 public:
+    [[nodiscard]] ErrorCode code() const noexcept override { return ErrorCode::net; }  ///< Error
     /// @param index entry, or entry and axis; empty: the field as a whole
     NetError(std::string field, std::vector<int> index, std::string problem);
 

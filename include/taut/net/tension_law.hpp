@@ -42,11 +42,11 @@ struct TAUT_CORE_EXPORT TensionLaw {
     /// the slope of this mean with respect to the strain. That of a cable that sags is smooth, and
     /// stays as it is.
     /// @param std 0 or less: as at()
-    [[nodiscard]] Tangent blurred(double strain_there, double std) const;
+    [[nodiscard]] Tangent blurred(double strain_there, double std_dev) const;
     /// The variance over N(strain, std^2) of the difference between the law and the tangent
     /// blurred(), by 40 equally probable points [N2].
     /// @param std positive
-    [[nodiscard]] double missed_by_blurred(double strain_there, double std) const;
+    [[nodiscard]] double missed_by_blurred(double strain_there, double std_dev) const;
 
     /// The least strain with this tension; of a cable that sags without any it is infinite.
     [[nodiscard]] double strain_at(double tension_there) const;

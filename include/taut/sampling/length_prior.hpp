@@ -27,7 +27,7 @@ struct TAUT_CORE_EXPORT LengthPrior {
     void check() const;
 
     /// Standard deviation [m].
-    [[nodiscard]] double std() const;
+    [[nodiscard]] double std_dev() const;
 
     /// No deviation drawn exceeds this [m].
     [[nodiscard]] double reach() const;
@@ -35,12 +35,12 @@ struct TAUT_CORE_EXPORT LengthPrior {
     /// The quantile at u in (0, 1): of a uniform random number a draw from the prior [m].
     [[nodiscard]] double draw(double u) const;
 
-    /// "uniform:5mm"; parse_length_prior() reads it back.
-    [[nodiscard]] std::string to_string() const;
-
     friend bool operator==(const LengthPrior&,
                            const LengthPrior&) = default;  ///< by shape and scale
 };
+
+/// "uniform:5mm"; parse_length_prior() reads it back.
+[[nodiscard]] TAUT_CORE_EXPORT std::string to_string(const LengthPrior& prior);
 
 /// "uniform:5mm", "normal:2mm", "bimodal:5mm".
 /// @throws std::invalid_argument for another name, or a scale that is not a positive length

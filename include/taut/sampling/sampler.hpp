@@ -44,11 +44,11 @@ public:
     [[nodiscard]] const Equilibrium& nominal() const;
 
     /// A data set of this sampler without samples.
-    [[nodiscard]] DataSet empty() const;
+    [[nodiscard]] DataSet no_samples() const;
 
     /// Adds samples to a data set until it holds `count`, in blocks of about a second. The result
     /// is the same, bit for bit, in one call or in many, on any number of threads.
-    /// @param data of empty(), of this sampler or of one with the same net, prior, seed and
+    /// @param data of no_samples(), of this sampler or of one with the same net, prior, seed and
     ///   uncertain: not checked; no other thread may use it meanwhile
     /// @param count in all; nothing is drawn where there are as many already
     /// @param progress gets the stage "sampling" before each block and at the end
@@ -56,8 +56,8 @@ public:
     ///   first process alone: to save the data set, say; what it throws ends the call
     /// @throws Interrupted where a stop was requested; the data set then holds whole blocks, and
     ///   can be extended again
-    void extend(DataSet& data, int count, const Progress& progress = {},
-                const std::function<void()>& after_block = {}) const;
+    void extend_to(DataSet& data, int count, const Progress& progress = {},
+                   const std::function<void()>& after_block = {}) const;
 
     /// Samples from `first` on, to draw them in several jobs.
     /// @param first 0 or more
@@ -80,7 +80,7 @@ private:
 };
 
 /// The first `count` samples of a sampler.
-/// @param progress as Sampler::extend()
+/// @param progress as Sampler::extend_to()
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_CORE_EXPORT DataSet draw_samples(const Sampler& sampler, int count,
                                                     const Progress& progress = {});

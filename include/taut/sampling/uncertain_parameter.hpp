@@ -32,21 +32,21 @@ struct TAUT_CORE_EXPORT UncertainParameter {
         slip,               ///< length that has passed at each node where a run slides [m]
     };
     Kind kind = Kind::stiffness;  ///< what the numbers are
-    double std = 0.0;             ///< standard deviation, in the unit of the kind
+    double std_dev = 0.0;         ///< standard deviation, in the unit of the kind
     std::string group;            ///< of edges, of the net; empty: all
 
-    /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads", "forces",
-    /// "mass", "test-loads", "support-stiffness", "creep", "slip".
-    [[nodiscard]] std::string_view name() const;
     /// Of std: "1" for a part, "K", "m" or "N".
     [[nodiscard]] std::string_view unit() const;
-    /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
-    [[nodiscard]] std::string to_string() const;
 
     friend bool operator==(const UncertainParameter&,
                            const UncertainParameter&) = default;  ///< by all members
 };
 
+/// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads", "forces",
+/// "mass", "test-loads", "support-stiffness", "creep", "slip".
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(UncertainParameter::Kind kind);
+/// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
+[[nodiscard]] TAUT_CORE_EXPORT std::string to_string(const UncertainParameter& parameter);
 /// "stiffness:5%, supports:1mm", or "none".
 [[nodiscard]] TAUT_CORE_EXPORT std::string to_string(
     const std::vector<UncertainParameter>& uncertain);
@@ -67,10 +67,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 ///   stiffness of supports where none is elastic
 TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
                                                  const std::vector<UncertainParameter>& uncertain);
-/// The same for what has one survey.
-/// @throws std::invalid_argument likewise, and for a creep
-TAUT_CORE_EXPORT void check_for_one_survey(const CableNet& net,
-                                           const std::vector<UncertainParameter>& uncertain);
+
 /// The greatest standard deviation of a creep, until the last survey.
 inline constexpr double most_creep = 0.01;
 
@@ -90,25 +87,5 @@ struct KnownForces {
 /// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(
     const CableNet& net, std::vector<UncertainParameter> given, KnownForces forces = {});
-
-/// Adds slips, where runs of the net slide and none are given: 0.1 m, at most a tenth of the
-/// shortest edge that slides, so that nothing is assumed of them.
-[[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_slips(
-    const CableNet& net, std::vector<UncertainParameter> given);
-
-/// The edges that a stiffness, temperature or creep applies to, ascending: those of its group, or
-/// all.
-/// @throws std::out_of_range for a group that the net does not have
-[[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_of(const CableNet& net,
-                                                         const UncertainParameter& parameter);
-
-/// The standard deviation of one kind; 0 where it is exact.
-[[nodiscard]] TAUT_CORE_EXPORT double std_of(const std::vector<UncertainParameter>& uncertain,
-                                             UncertainParameter::Kind kind);
-
-/// Standard deviation of each edge's own stiffness, relative (m); 0 where it is exact.
-/// @throws std::out_of_range as edges_of()
-[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd own_stiffness_stds(
-    const CableNet& net, const std::vector<UncertainParameter>& uncertain);
 
 }  // namespace taut

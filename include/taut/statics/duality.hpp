@@ -47,15 +47,15 @@ struct EnergyCertificate {
 /// @throws std::invalid_argument for a net with struts, wrong sizes, unstressed lengths that are
 ///   not positive and finite, coordinates and forces that are not finite
 [[nodiscard]] TAUT_CORE_EXPORT EnergyCertificate
-certify(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-        const Eigen::Ref<const Points>& form);
+energy_certificate(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                   const Eigen::Ref<const Points>& form);
 
 /// The same with other forces, for example the dual variables of a conic solver. They are corrected
 /// likewise.
 /// @param edge_forces f of all edges (3 x m) [N]
 /// @throws std::invalid_argument likewise
-[[nodiscard]] TAUT_CORE_EXPORT EnergyCertificate
-certify(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-        const Eigen::Ref<const Points>& form, const Eigen::Ref<const Points>& edge_forces);
+[[nodiscard]] TAUT_CORE_EXPORT EnergyCertificate energy_certificate(
+    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+    const Eigen::Ref<const Points>& form, const Eigen::Ref<const Points>& edge_forces);
 
 }  // namespace taut

@@ -26,7 +26,7 @@ namespace taut {
 /// load acts.
 /// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
 ///   finite, and coordinates that are not finite
-[[nodiscard]] TAUT_CORE_EXPORT double energy(
+[[nodiscard]] TAUT_CORE_EXPORT double potential_energy(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 
@@ -45,7 +45,7 @@ namespace taut {
 ///     h_s = sum_(s,t) EA (r_s - r_t) (1/l_0 - 1/l) - p_s   over the edges with l > l_0
 ///
 /// and K (r_b - r_0) more at an elastic support.
-/// @throws std::invalid_argument as energy()
+/// @throws std::invalid_argument as potential_energy()
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd out_of_balance_forces(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
@@ -57,8 +57,8 @@ namespace taut {
 ///
 /// to the blocks (s,s) and (t,t) and -k to (s,t) and (t,s); a slack edge adds nothing. An elastic
 /// support adds K to (b,b).
-/// @throws std::invalid_argument as energy()
-[[nodiscard]] TAUT_CORE_EXPORT Eigen::SparseMatrix<double> stiffness(
+/// @throws std::invalid_argument as potential_energy()
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::SparseMatrix<double> tangent_stiffness(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 

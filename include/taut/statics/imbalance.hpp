@@ -22,7 +22,7 @@ struct TAUT_CORE_EXPORT Imbalance {
 /// @param form coordinates of all nodes (3 x n) [m]
 /// @throws std::invalid_argument as out_of_balance_forces()
 [[nodiscard]] TAUT_CORE_EXPORT Imbalance
-imbalance(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-          const Eigen::Ref<const Points>& form);
+imbalance_of(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+             const Eigen::Ref<const Points>& form);
 
 }  // namespace taut

@@ -11,7 +11,9 @@
 #include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/study/evaluation.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
+#include "taut/study/method_result.hpp"
 
 namespace taut {
 
@@ -52,6 +54,14 @@ enum class ModelErrors { none, not_given, given };
 
 /// "none", "not given", "given".
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string_view to_string(ModelErrors errors);
+
+/// Noise and hidden nodes of a survey.
+struct SurveyKind {
+    double noise_std = 0.0;    ///< normal noise on every coordinate of a free node [m]
+    double hidden_part = 0.0;  ///< of the free nodes, not surveyed; in [0, 1)
+
+    friend bool operator==(const SurveyKind&, const SurveyKind&) = default;  ///< by all members
+};
 
 /// One method on surveys of one kind.
 struct ComparisonRow {

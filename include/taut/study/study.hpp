@@ -13,7 +13,7 @@
 #include "taut/progress.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/study/error_statistics.hpp"
-#include "taut/study/evaluation.hpp"
+#include "taut/study/method_result.hpp"
 
 namespace taut {
 

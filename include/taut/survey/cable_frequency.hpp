@@ -21,7 +21,7 @@ struct FrequencyRange {
 /// A peak of the spectrum of a record.
 struct FrequencyPeak {
     double frequency = 0.0;  ///< [Hz]
-    double std = 0.0;        ///< standard deviation of the frequency [Hz]
+    double std_dev = 0.0;    ///< standard deviation of the frequency [Hz]
     double level = 0.0;      ///< density at the peak over that of the noise around it
     int mode = 0;            ///< number by the likeliest fundamental, from 1; 0: not explained
 };
@@ -32,7 +32,7 @@ struct FrequencyPeak {
 /// vibration frequencies of a stiff piano string, J. Acoust. Soc. Am. 36 (1964).
 struct Fundamental {
     double frequency = 0.0;      ///< f_1, by the fit to all its peaks [Hz]
-    double std = 0.0;            ///< standard deviation of f_1 [Hz]
+    double std_dev = 0.0;        ///< standard deviation of f_1 [Hz]
     double inharmonicity = 0.0;  ///< B, 0 where the peaks show none
     double misfit = 0.0;         ///< RMS over its peaks of (f - f_n) / f_n
     std::vector<int> modes;      ///< of each peak; 0: not explained

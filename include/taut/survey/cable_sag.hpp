@@ -14,7 +14,7 @@ namespace taut {
 struct SagPoint {
     int edge = 0;                                        ///< index in the net
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-    double std = 0.0;                                    ///< of each coordinate [m]
+    double std_dev = 0.0;                                ///< of each coordinate [m]
 };
 
 /// The force measurements that points on sagging cables amount to, docs/theory.md (sag). A cable

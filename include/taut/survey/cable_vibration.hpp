@@ -40,7 +40,7 @@ struct FrequencyMeasurement {
     int edge = 0;            ///< index in the net
     double frequency = 0.0;  ///< [Hz]
     int mode = 1;            ///< number of half waves
-    double std = 0.0;        ///< standard deviation [Hz]
+    double std_dev = 0.0;    ///< standard deviation [Hz]
 };
 
 /// The force measurement that a natural frequency amounts to, with what is not known of the cable

@@ -25,7 +25,7 @@ enum class ForceSource {
 struct ForceMeasurement {
     int edge = 0;                                 ///< index in the net
     double tension = 0.0;                         ///< negative in a compressed strut [N]
-    double std = 0.0;                             ///< standard deviation of its own error [N]
+    double std_dev = 0.0;                         ///< standard deviation of its own error [N]
     ForceSource source = ForceSource::load_cell;  ///< what it was measured by
     int mode = 0;                                 ///< of the frequency; 0 where there is none
     /// Standard deviation of its part in an error that all measurements of its kind share, besides

@@ -20,11 +20,11 @@ inline constexpr double common_angle_std = 0.3e-3 * gon;
 
 /// How well an instrument measures distances, by its data sheet; by default a common total station.
 struct DistancePrecision {
-    double std = 1e-3;     ///< standard deviation at the instrument [m]
-    double part = 1.5e-6;  ///< added to that, as a part of the distance
+    double std_dev = 1e-3;  ///< standard deviation at the instrument [m]
+    double part = 1.5e-6;   ///< added to that, as a part of the distance
 
     /// Standard deviation of a distance [m].
-    [[nodiscard]] double std_at(double distance) const { return std + part * distance; }
+    [[nodiscard]] double std_at(double distance) const { return std_dev + part * distance; }
 };
 
 /// What an instrument observes by one pointing.

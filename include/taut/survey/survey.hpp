@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/error.hpp"
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/frame.hpp"
@@ -135,8 +136,9 @@ TAUT_CORE_EXPORT void require_whole(const CableNet& net, const Survey& survey,
                                     std::string_view expected);
 
 /// A rule of a survey that is broken, at a point of it.
-class TAUT_CORE_EXPORT SurveyError : public std::invalid_argument {
+class TAUT_CORE_EXPORT SurveyError : public std::invalid_argument, public Error {
 public:
+    [[nodiscard]] ErrorCode code() const noexcept override { return ErrorCode::survey; }  ///< Error
     /// @param line of the file, or 0
     SurveyError(int line, const std::string& what) : std::invalid_argument(what), m_line(line) {}
     /// Line of the file, or 0 where it is the survey as a whole.

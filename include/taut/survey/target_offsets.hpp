@@ -15,8 +15,8 @@ namespace taut {
 
 /// How far the centre of a target stands off the axis of the cable, along the net's normal.
 struct TargetOffset {
-    double offset = 0.0;  ///< positive to the side of node_normals() [m]
-    double std = 0.0;     ///< of each target by itself [m]
+    double offset = 0.0;   ///< positive to the side of node_normals() [m]
+    double std_dev = 0.0;  ///< of each target by itself [m]
 };
 
 /// Whether a target can stand so far off.

@@ -12,9 +12,9 @@ namespace taut {
 
 /// What was turned at an adjustable edge.
 struct EdgeTurned {
-    int edge = 0;         ///< index of an adjustable edge
-    double stroke = 0.0;  ///< change of its unstressed length [m]
-    double std = 0.0;     ///< standard deviation of that; 0: exact [m]
+    int edge = 0;          ///< index of an adjustable edge
+    double stroke = 0.0;   ///< change of its unstressed length [m]
+    double std_dev = 0.0;  ///< standard deviation of that; 0: exact [m]
 };
 
 /// No turnbuckle changes its edge by a larger part of the unstressed length.

@@ -12,7 +12,7 @@
 #include "files/message.hpp"
 #include "interchange/surveys/survey_reader.hpp"
 #include "interchange/surveys/survey_xml.hpp"
-#include "taut/survey/covariance.hpp"
+#include "survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -141,7 +141,7 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
     for (GamaPoint& found : points) {
         if (matrix) {
             const PlaceNoise noise = gama_noise(covariances, found);
-            found.point.noise_std = noise.std;
+            found.point.noise_std = noise.std_dev;
             found.point.noise_correlations = noise.correlations;
             if (!are_possible_correlations(noise.correlations)) {
                 xml.fail(found.node,

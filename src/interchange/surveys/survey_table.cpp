@@ -118,7 +118,7 @@ private:
         if (!m_head.layout.spread) {
             return std::nullopt;
         }
-        Eigen::Vector3d std;
+        Eigen::Vector3d std_dev;
         for (size_t k = 0; k < 3; ++k) {
             const size_t column = (*m_head.layout.spread)[k];
             if (column >= fields.size() || says_nothing(fields[column])) {
@@ -129,9 +129,9 @@ private:
                 fail(fmt::format("{} is {}, expected a standard deviation of at least 0",
                                  spread_names[k], quote(fields[column])));
             }
-            std(static_cast<Eigen::Index>(k)) = value;
+            std_dev(static_cast<Eigen::Index>(k)) = value;
         }
-        return std;
+        return std_dev;
     }
 
     const TableHead& m_head;

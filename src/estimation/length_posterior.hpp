@@ -20,8 +20,8 @@ namespace taut {
 ///
 /// docs/theory.md, (slack-mixture).
 struct LengthLikelihood {
-    double mean = 0.0;                                     ///< [m]
-    double std = std::numeric_limits<double>::infinity();  ///< [m]; infinite: not known
+    double mean = 0.0;                                         ///< [m]
+    double std_dev = std::numeric_limits<double>::infinity();  ///< [m]; infinite: not known
     /// Length of the edge in the surveyed form less nominal unstressed length [m].
     double slack_from = std::numeric_limits<double>::infinity();
     double slack_from_std = std::numeric_limits<double>::infinity();  ///< where surely slack [m]
@@ -42,7 +42,7 @@ struct LengthLikelihood {
 /// A distribution of one length deviation.
 struct LengthPosterior {
     double mean = 0.0;               ///< [m]
-    double std = 0.0;                ///< [m]
+    double std_dev = 0.0;            ///< [m]
     double lower = 0.0;              ///< 95 % interval [m]
     double upper = 0.0;              ///< its upper end [m]
     double slack_probability = 0.0;  ///< that the deviation exceeds slack_from

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "survey/planned_survey.hpp"
 #include "taut/export/io.hpp"
-#include "taut/survey/planned_survey.hpp"
 
 namespace taut {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "study/trial.hpp"
 #include "taut/export/adjustment.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/sampling/length_prior.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
-#include "taut/study/trial.hpp"
 
 namespace taut {
 

@@ -11,7 +11,7 @@ namespace taut {
 
 /// Noise of a measured place: its covariance is s_i s_k rho_ik.
 struct PlaceNoise {
-    Eigen::Vector3d std;           ///< of x, y, z [m]
+    Eigen::Vector3d std_dev;       ///< of x, y, z [m]
     Eigen::Vector3d correlations;  ///< of x and y, x and z, y and z
 };
 

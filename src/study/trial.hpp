@@ -8,17 +8,10 @@
 #include "taut/export/adjustment.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "taut/study/comparison.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
-
-/// Noise and hidden nodes of a survey.
-struct SurveyKind {
-    double noise_std = 0.0;    ///< normal noise on every coordinate of a free node [m]
-    double hidden_part = 0.0;  ///< of the free nodes, not surveyed; in [0, 1)
-
-    friend bool operator==(const SurveyKind&, const SurveyKind&) = default;  ///< by all members
-};
 
 /// A survey whose truth is known.
 struct Trial {

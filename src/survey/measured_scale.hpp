@@ -13,9 +13,9 @@ namespace taut {
 
 /// Measured over known distances of control points, and how sure that is.
 struct TAUT_CORE_EXPORT MeasuredScale {
-    double scale = 1.0;  ///< measured over known distances
-    double std = 0.0;    ///< standard error of it, from the points' residuals
-    int redundancy = 2;  ///< 3 n - 7 of n points
+    double scale = 1.0;    ///< measured over known distances
+    double std_dev = 0.0;  ///< standard error of it, from the points' residuals
+    int redundancy = 2;    ///< 3 n - 7 of n points
 
     /// Whether the scale departs from 1 by more than the residuals explain; by chance in one of a
     /// thousand surveys (Student's t).
