@@ -29,6 +29,7 @@ taut::Survey survey_of(const CableNet& net, std::uint64_t seed) {
 taut::BuiltNet identified(const CableNet& net, int draws) {
     taut::IdentifyOptions options;
     options.prior = prior;
+    options.assume_site = false;
     options.draws = draws;
     return taut::built_net_of(net, taut::identify(net, survey_of(net, 1), options));
 }
@@ -74,6 +75,7 @@ void two_epochs(benchmark::State& state) {
                                           {.survey = survey_of(net, 2), .turned = {}}};
     taut::IdentifyOptions options;
     options.prior = prior;
+    options.assume_site = false;
     options.draws = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(taut::identify_epochs(net, epochs, options).edges.data());

@@ -85,11 +85,12 @@ void identify(benchmark::State& state) {
                         .surveyed = net.free_nodes(),
                         .missing = {}};
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            taut::identify(
-                net, survey,
-                {.method = taut::IdentificationMethod::map, .prior = one_millimetre, .draws = 0})
-                .edges.data());
+        benchmark::DoNotOptimize(taut::identify(net, survey,
+                                                {.method = taut::IdentificationMethod::map,
+                                                 .prior = one_millimetre,
+                                                 .assume_site = false,
+                                                 .draws = 0})
+                                     .edges.data());
     }
     state.counters["size"] = net.interior_edge_count();
 }

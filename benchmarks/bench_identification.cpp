@@ -58,10 +58,12 @@ void map(benchmark::State& state) {
     const CableNet net = taut::hilo_quarter();
     const taut::Survey survey = survey_of(net, metres(state));
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            taut::identify(net, survey,
-                           {.method = taut::IdentificationMethod::map, .prior = prior, .draws = 0})
-                .edges.data());
+        benchmark::DoNotOptimize(taut::identify(net, survey,
+                                                {.method = taut::IdentificationMethod::map,
+                                                 .prior = prior,
+                                                 .assume_site = false,
+                                                 .draws = 0})
+                                     .edges.data());
     }
 }
 BENCHMARK(map)->Arg(0)->Arg(1)->Arg(5)->Arg(20)->Unit(benchmark::kMillisecond);
@@ -72,10 +74,12 @@ void map_of_hypar(benchmark::State& state) {
     const CableNet net = taut::hypar(side, side);
     const taut::Survey survey = survey_of(net, 0.0005);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            taut::identify(net, survey,
-                           {.method = taut::IdentificationMethod::map, .prior = prior, .draws = 0})
-                .edges.data());
+        benchmark::DoNotOptimize(taut::identify(net, survey,
+                                                {.method = taut::IdentificationMethod::map,
+                                                 .prior = prior,
+                                                 .assume_site = false,
+                                                 .draws = 0})
+                                     .edges.data());
     }
 }
 BENCHMARK(map_of_hypar)->Arg(30)->Arg(158)->Unit(benchmark::kMillisecond)->Iterations(1);

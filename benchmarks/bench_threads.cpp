@@ -77,6 +77,7 @@ void map(benchmark::State& state) {
         taut::IdentifyOptions options;
         options.method = taut::IdentificationMethod::map;
         options.prior = prior;
+        options.assume_site = false;
         options.draws = 0;
         benchmark::DoNotOptimize(
             taut::identify(shared().net, shared().survey, options).edges.data());

@@ -372,7 +372,6 @@ taut::IdentifyOptions identify_options(Options& options, const taut::CableNet& n
     result.draws = options.integer("draws");
     result.seed =
         options.get<std::uint64_t>("seed", "an integer of 0 or more").value_or(result.seed);
-    result.assume_site = true;
     if (options.has("uncertain") && options.is_text("uncertain")) {
         if (options.text("uncertain") != "none") {
             throw InputError("options", "/uncertain", "is a text, expected 'none' or a list");

@@ -398,7 +398,7 @@ Identification identify_all(const CableNet& net, std::span<const Epoch> epochs,
 
 Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                const IdentifyOptions& options, const Progress& progress) {
-    if (!options.assume_site) {
+    if (!options.assume_site.value_or(true)) {
         IdentifyOptions with_sliding = options;
         with_sliding.uncertain = with_slips(net, options.uncertain);
         return identify_all(

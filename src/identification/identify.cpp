@@ -28,7 +28,8 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     const double noise_scale =
         options.estimate_noise ? noise_scale_of(net, survey, prior, used, progress) : 1.0;
     const Survey scaled = with_noise_times(survey, noise_scale);
-    if (options.assume_site && method == IdentificationMethod::map && survey.is_noisy()) {
+    if (options.assume_site.value_or(true) && method == IdentificationMethod::map &&
+        survey.is_noisy()) {
         assumed = with_site_assumptions(net, options.uncertain, measured_by(options.forces));
         used.uncertain = with_uncertain_widths(assumed, options.uncertain);
     }

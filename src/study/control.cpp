@@ -223,6 +223,7 @@ private:
                                                    .prior = m_settings.prior,
                                                    .prior_exact = true,
                                                    .uncertain = m_settings.uncertain,
+                                                   .assume_site = false,
                                                    .draws = m_settings.draws,
                                                    .seed = seed_of(round)});
             if (found.status != IdentificationStatus::converged) {

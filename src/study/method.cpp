@@ -90,6 +90,7 @@ Method method_by_epochs(const CableNet& net, const LengthPrior& prior) {
     IdentifyOptions options;
     options.prior = prior;
     options.prior_exact = true;
+    options.assume_site = false;
     options.draws = 0;
     return {.name = "map", .identify = [&net, options](const Trial& trial) {
                 return identify_epochs(net, trial.epochs, options);

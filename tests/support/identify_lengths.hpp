@@ -10,11 +10,12 @@
 
 namespace taut::test {
 
-/// identify() without posterior samples, unless they are asked for: tests of lengths alone then take
-/// a tenth of the time.
+/// identify() with what is given, and nothing else uncertain, and without posterior samples unless
+/// they are asked for: tests of lengths alone then take a tenth of the time.
 inline Identification identify_lengths(const CableNet& net, const Survey& survey,
                                        IdentifyOptions options = {},
                                        const Progress& progress = {}) {
+    options.assume_site = options.assume_site.value_or(false);
     options.draws = options.draws.value_or(0);
     return identify(net, survey, options, progress);
 }
@@ -23,6 +24,7 @@ inline Identification identify_lengths(const CableNet& net, const Survey& survey
 inline Identification identify_lengths(const CableNet& net, std::span<const Epoch> epochs,
                                        IdentifyOptions options = {},
                                        const Progress& progress = {}) {
+    options.assume_site = options.assume_site.value_or(false);
     options.draws = options.draws.value_or(0);
     return identify_epochs(net, epochs, options, progress);
 }

@@ -53,9 +53,9 @@ struct IdentifyOptions {
     /// drawn with them. A model has its own.
     std::vector<UncertainParameter> uncertain = {};
     /// Whether taut assumes what is usual on a site for all others, with_site_assumptions(): for
-    /// map, of a survey that is not exact. Else these are as in the net. For several surveys
-    /// masses are not assumed uncertain unless a force measurement is by mass.
-    bool assume_site = false;
+    /// map, of a survey that is not exact. Empty: it does. False: these are exactly as in the net.
+    /// For several surveys masses are not assumed uncertain unless a force measurement is by mass.
+    std::optional<bool> assume_site = {};
     /// For gp; not copied: it must live until identify() has ended. Null: one is trained now, on
     /// `training_samples` samples of the prior, and discarded.
     const LengthModel* model = nullptr;
