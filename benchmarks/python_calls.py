@@ -53,7 +53,7 @@ def identification(peer, repetitions=15):
     def here():
         start = time.perf_counter()
         survey = taut.read_survey(net, points, ids=ids, noise=0.5e-3)
-        found = taut.identify(net, survey, uncertain=["none"])  # as C++ does by default
+        found = taut.identify(net, survey)
         return time.perf_counter() - start, float(sum(found.length_deviation))
 
     with tempfile.TemporaryDirectory() as folder:
