@@ -34,7 +34,7 @@ namespace taut::python {
 namespace {
 
 /// Edge, value, standard deviation: a measured tension [N], or a stroke [m].
-using OfEdges = std::vector<std::tuple<int, double, double>>;
+using OfEdges = std::vector<std::tuple<int, QuantityLike, QuantityLike>>;
 
 /// A later survey, what was turned before it, and loads that hung on the net then alone.
 using LaterSurvey =
@@ -44,7 +44,7 @@ using LaterSurvey =
 using Frequencies = std::vector<std::tuple<int, double, int, double>>;
 
 /// Edge, points (k, 3) [m], standard deviation [m].
-using Sags = std::vector<std::tuple<int, ArrayLike, double>>;
+using Sags = std::vector<std::tuple<int, ArrayLike, QuantityLike>>;
 
 Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& measured,
                     const Frequencies& frequencies, double free_length_std, const Sags& sags,
@@ -52,7 +52,9 @@ Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& me
                     const std::optional<ArrayLike>& slack_edges) {
     Forces forces;
     for (const auto& [edge, tension, std_dev] : measured) {
-        forces.measurements.push_back({.edge = edge, .tension = tension, .std_dev = std_dev});
+        forces.measurements.push_back({.edge = edge,
+                                       .tension = force_given(tension, "forces"),
+                                       .std_dev = force_given(std_dev, "forces")});
     }
     for (const auto& [edge, frequency, mode, std_dev] : frequencies) {
         forces.measurements.push_back(tension_by_frequency(
@@ -64,7 +66,8 @@ Forces forces_given(const CableNet& net, const Survey& survey, const OfEdges& me
     for (const auto& [edge, places, std_dev] : sags) {
         const Points points = points_argument(places, "sag", -1);
         for (Eigen::Index k = 0; k < points.cols(); ++k) {
-            on_cables.push_back({.edge = edge, .position = points.col(k), .std_dev = std_dev});
+            on_cables.push_back(
+                {.edge = edge, .position = points.col(k), .std_dev = length_given(std_dev, "sag")});
         }
     }
     std::ranges::move(tensions_by_sag(net, survey.form, on_cables),
@@ -97,7 +100,9 @@ Identified identified(const CableNet& net, const Survey& survey, const IdentifyO
             [&](const auto& parts) {
                 Epoch epoch{.survey = std::get<0>(parts), .turned = {}};
                 for (const auto& [edge, stroke, std_dev] : std::get<1>(parts)) {
-                    epoch.turned.push_back({.edge = edge, .stroke = stroke, .std_dev = std_dev});
+                    epoch.turned.push_back({.edge = edge,
+                                            .stroke = length_given(stroke, "epochs"),
+                                            .std_dev = length_given(std_dev, "epochs")});
                 }
                 if constexpr (std::tuple_size_v<std::decay_t<decltype(parts)>> == 3) {
                     epoch.loads = points_argument(std::get<2>(parts), "loads", net.node_count());
@@ -163,7 +168,7 @@ Args:
     method: 'map', 'balance' or 'gp'; by default the one that suits what is given.
     prior: of the length deviations, 'uniform:5mm'; by default a broad one.
     model: of train(), for 'gp'.
-    forces: measured tensions, (edge, tension [N], std [N]) each.
+    forces: measured tensions, (edge, tension, std) each, in N or as '12kN'.
     taut_edges: seen to carry tension.
     slack_edges: seen to carry none.
     uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'. Of what is not given taut
@@ -176,8 +181,8 @@ Args:
     estimate_noise: estimate a common factor of the survey's standard deviations.
     prior_exact: take scale and shape of the prior as exact; else both are estimated with the
         lengths.
-    epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke [m], std
-        [m]), ...]); and with loads (n, 3) that hung on the net then alone [N]: (survey, [], loads).
+    epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke, std),
+        ...]), in m or as '5mm'; and with loads (n, 3) that hung on the net then alone [N]: (survey, [], loads).
         The result is of the last survey without such loads.
     frequencies: natural frequencies of cables, (edge, frequency [Hz], mode, std [Hz]) each; the net
         needs mass.

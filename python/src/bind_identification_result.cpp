@@ -311,6 +311,17 @@ void bind_identification_result(nb::module_& module) {
             "uniform_probability, nodes with prior and weight; common, what the deviations have in "
             "common: mean and mean_std [m], run_std and run_probability of the runs of cable, "
             "adjustable and adjustable_std of the adjustable edges [m].")
+        .def_prop_ro("noise", part_of_json("noise"), nb::sig("def noise(self) -> float"),
+                     "Standard deviation of a surveyed coordinate, root mean square [m].")
+        .def_prop_ro("frame", part_of_json("frame"), nb::sig("def frame(self) -> dict | None"),
+                     "How the survey was moved to the net; None where it was in its frame.")
+        .def_prop_ro("mean_tension", part_of_json("mean_tension"),
+                     nb::sig("def mean_tension(self) -> dict | None"),
+                     "Of all cables: mean, std, lower and upper [N]; None without samples.")
+        .def_prop_ro("missing_places", part_of_json("missing_places"),
+                     nb::sig("def missing_places(self) -> list"),
+                     "Of each node that the survey misses: node, and mean, std, lower and upper of "
+                     "its place [m]; empty without samples.")
         .def_prop_ro("diagnostics", part_of_json("diagnostics"),
                      nb::sig("def diagnostics(self) -> dict"),
                      "What result.json holds of the checks: noise, lengths, prior, frame, "

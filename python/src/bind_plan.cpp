@@ -45,6 +45,11 @@ std::string plan_csv(const Planned& planned) {
     return written(planned, &plan_to_csv);
 }
 
+/// What plan.json holds under a key.
+auto part_of_json(const char* key) {
+    return [key](const Planned& self) { return nb::object(dict_of(plan_json(self))[key]); };
+}
+
 const Plan& plan_of(const Planned& planned) {
     return planned.turns.plan;
 }
@@ -108,6 +113,15 @@ void bind_plan(nb::module_& module) {
           "without."},
          {"iterations", "Steps of the search for strokes."}});
     result
+        .def_prop_ro("turns", part_of_json("turns"), nb::sig("def turns(self) -> list"),
+                     "What to turn, one entry a turnbuckle and pass: edge and edge_id, stroke [m], "
+                     "turns, action and rotation, pass, crew and step of the work, reading_after "
+                     "[m], tension_after_step and tension_after [N], frequency_after_step [Hz].")
+        .def_prop_ro("options", part_of_json("options"), nb::sig("def options(self) -> dict"),
+                     "What the plan was made with, as plan.json holds it.")
+        .def_prop_ro(
+            "largest_stroke", [](const Planned& self) { return plan_of(self).largest_stroke(); },
+            "The longest stroke in absolute value [m].")
         .def_prop_ro(
             "edges", [](const Planned& self) { return edges_of_each(self.turns.plan.strokes); },
             "Edges that are turned, ascending (k,).")

@@ -71,6 +71,10 @@ void bind_equilibrium(nb::module_& module) {
                 return view_of(nb::cast<const Equilibrium&>(self).slack_edges, self);
             },
             "Ascending.")
+        .def_prop_ro(
+            "energy_decreases",
+            [](const Equilibrium& self) { return in_python_types(self.energy_decreases); },
+            "Of each iteration; interior-point steps together make one [J].")
         .def("to_dict", &dict_of_fields<Equilibrium>, nb::sig("def to_dict(self) -> dict"),
              "All of it, SI units.")
         .def("__repr__", [](const Equilibrium& self) {

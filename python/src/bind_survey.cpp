@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -159,6 +160,30 @@ void bind_survey_class(nb::module_& module) {
     nb::class_<Survey> survey(module, "Survey",
                               "A survey brought to the nodes of a net: read_survey().");
     make_picklable(survey);
+    bind_fields<Survey>(
+        survey, std::identity(),
+        {{"noise_correlations",
+          "Correlations of the noise of a node, of x and y, x and z, y and z (n, 3), or (0, 3): "
+          "none."},
+         {"supports",
+          "Supports that were surveyed, ascending. Of each: node, position and noise_std (3,) [m], "
+          "noise_correlations."},
+         {"frame_is_unknown", "Whether the coordinates alone show their frame."},
+         {"frame",
+          "How the survey was moved to the net: motion (rotation about from, which comes to lie at "
+          "to), and residuals of the control points; None where it was in the net's frame."},
+         {"placed",
+          "On which node each point is: name, line of the file, node, distance [m] to its design, "
+          "code."},
+         {"unmatched",
+          "Points on no node: point, nearest node, its distance [m], reason, swapped_with (-1: "
+          "none)."},
+         {"contradicted_names",
+          "Number of points that lie on other nodes than they name, and were put there; 0: names "
+          "hold."},
+         {"has_own_noise", "Whether a point brought a noise of its own."},
+         {"scale_std", "Standard deviation of the scale that all targets have in common [-]."},
+         {"rounding_std", "That of the file's last digit, which noise_std holds [m]."}});
     survey
         .def_prop_ro(
             "form",

@@ -41,7 +41,7 @@ std::tuple<Fields&...> references_to(Fields&... fields) {
 
 // sampling, statics
 TAUT_FIELDS(LengthPrior, kind, scale)
-TAUT_FIELDS(UncertainParameter, kind, std_dev, group)
+TAUT_FIELDS(UncertainParameter, kind, std, group)
 TAUT_FIELDS(Equilibrium, form, unstressed_lengths, status, iterations, out_of_balance, mean_tension,
             slack_edges, energy_decreases)
 TAUT_FIELDS(DataSet, net_fingerprint, prior, seed, uncertain, nominal_form, form_deviations,
@@ -60,10 +60,10 @@ TAUT_FIELDS(Registration, motion, residuals)
 TAUT_FIELDS(Survey, form, noise_std, noise_correlations, surveyed, missing, supports,
             frame_is_unknown, unmatched, frame, warnings, placed, contradicted_names, notes,
             has_own_noise, scale_std, rounding_std)
-TAUT_FIELDS(EdgeTurned, edge, stroke, std_dev)
+TAUT_FIELDS(EdgeTurned, edge, stroke, std)
 TAUT_FIELDS(FrequencyRange, lowest, highest)
-TAUT_FIELDS(FrequencyPeak, frequency, std_dev, level, mode)
-TAUT_FIELDS(Fundamental, frequency, std_dev, inharmonicity, misfit, modes, probability)
+TAUT_FIELDS(FrequencyPeak, frequency, std, level, mode)
+TAUT_FIELDS(Fundamental, frequency, std, inharmonicity, misfit, modes, probability)
 TAUT_FIELDS(CableFrequency, peaks, fundamental, message, needs_range, candidates, warnings,
             searched, duration, resolution, spectrum_step, spectrum)
 
@@ -78,11 +78,11 @@ TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights, decomposit
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
 TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic, source, mode)
-TAUT_FIELDS(LengthOutlier, edge, deviation, std_dev, statistic, other, node, is_beside_target,
+TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
             is_swapped)
-TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std_dev, statistic, confounded_with)
-TAUT_FIELDS(ForceBias, part, std_dev)
-TAUT_FIELDS(FoundScale, ratio, std_dev)
+TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, confounded_with)
+TAUT_FIELDS(ForceBias, part, std)
+TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths, noise_by_axis)
 TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)
 TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force_scale,
@@ -90,28 +90,26 @@ TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temper
 TAUT_FIELDS(PriorNode, prior, weight)
 TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, struts, struts_std,
             adjustable, adjustable_std)
-TAUT_FIELDS(PriorEstimate, given, exact, std_dev, std_std, uniform_probability, common, nodes)
+TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, common, nodes)
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
-TAUT_FIELDS(LoadCheck, force, std_dev)
+TAUT_FIELDS(LoadCheck, force, std)
 TAUT_FIELDS(ModelPerturbations, stiffness, thermal, supports, loads)
 TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, perturbations, forms,
             tensions, seed, how, is_refitted, reason)
-TAUT_FIELDS(DrawnEstimate, mean, std_dev, lower, upper)
+TAUT_FIELDS(DrawnEstimate, mean, std, lower, upper)
 TAUT_FIELDS(DrawnTension, edge, tension, slack_probability)
-TAUT_FIELDS(DrawnPlace, node, mean, std_dev, lower, upper)
+TAUT_FIELDS(DrawnPlace, node, mean, std, lower, upper)
 TAUT_FIELDS(DrawnSummary, tensions, mean_tension, missing)
 TAUT_FIELDS(Trust::Remedy, parameter, value)
-TAUT_FIELDS(Trust::Finding, kind, severity, ids, value, std_dev, confounded_with, remedy, reason,
-            next)
+TAUT_FIELDS(Trust::Finding, kind, severity, ids, value, std, confounded_with, remedy, reason, next)
 TAUT_FIELDS(Trust, findings)
-TAUT_FIELDS(ParameterEstimate, parameter, edge, node, axis, mean, std_dev, prior_std)
-TAUT_FIELDS(IdentifiedEdge, edge, nominal, length_deviation, std_dev, lower, upper, status)
-TAUT_FIELDS(StretchLength, edges, nominal, friction, length_deviation, std_dev, tension,
-            tension_std)
+TAUT_FIELDS(ParameterEstimate, parameter, edge, node, axis, mean, std, prior_std)
+TAUT_FIELDS(IdentifiedEdge, edge, nominal, length_deviation, std, lower, upper, status)
+TAUT_FIELDS(StretchLength, edges, nominal, friction, length_deviation, std, tension, tension_std)
 TAUT_FIELDS(Assumption, parameter, is_default, is_testable)
 TAUT_FIELDS(LengthCovariance, edges, covariance)
 TAUT_FIELDS(FrameOffset, about, translation, translation_std, rotation, rotation_std)
-TAUT_FIELDS(LengthChange, edge, change, std_dev, statistic)
+TAUT_FIELDS(LengthChange, edge, change, std, statistic)
 TAUT_FIELDS(EpochResult, surveyed, turned, load, outliers, boundary_outliers, frame_offset,
             noise_ratio, noise_scale, change_ratio, change_limit, changes, excess_actuator_std,
             stroke_factor, stroke_factor_std, trust)
@@ -126,11 +124,11 @@ TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, as_in_paper,
             nominal_form, input_scales, length_deviations, processes, form_prior)
-TAUT_FIELDS(EdgePrecision, edge, std_dev, status)
-TAUT_FIELDS(TensionPrecision, edge, tension, std_dev, mean_std_if_measured)
+TAUT_FIELDS(EdgePrecision, edge, std, status)
+TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_if_measured)
 TAUT_FIELDS(PredictedPrecision, prior_std, edges, mean_tension, mean_tension_std, force_candidates)
-TAUT_FIELDS(SuggestedMeasurement, kind, edge, node, expected, std_dev, remaining_std, total_cost)
-TAUT_FIELDS(MeasurementSuggestions, quantity, mean_tension, std_dev, steps, left_out)
+TAUT_FIELDS(SuggestedMeasurement, kind, edge, node, expected, std, remaining_std, total_cost)
+TAUT_FIELDS(MeasurementSuggestions, quantity, mean_tension, std, steps, left_out)
 
 // adjustment
 TAUT_FIELDS(CableRun, name, edges, slides_at, friction, ratios)
@@ -149,7 +147,7 @@ TAUT_FIELDS(Limits, shortest_stroke, longest_stroke, tension, reactions, load_ca
 TAUT_FIELDS(TurnSize, pitch, smallest)
 TAUT_FIELDS(TensionTarget, edge, tension, tolerance)
 TAUT_FIELDS(ReachedTension, edge, target, tolerance, as_built, planned, unconstrained, of_any_form,
-            mean, std_dev, probability, obstacle)
+            mean, std, probability, obstacle)
 TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, survey_noise, seed,
             accept_failed, target_tensions, form_tolerance)
 TAUT_FIELDS(PlannedStroke, edge, stroke)

@@ -22,6 +22,8 @@ from taut.surveys import read_survey  # noqa: F401
 for _name, _of in vars(_taut).items():
     if not _name.startswith("_") and hasattr(_of, "__nb_signature__"):
         globals()[_name] = calls.naming_arguments(_of)
+    elif not _name.startswith("_") and isinstance(_of, type):
+        calls.naming_arguments_of_methods(_of)
 
 
 _taut.Identification._repr_mimebundle_ = notebook.mimebundle

@@ -99,19 +99,28 @@ def _arguments(function: Any) -> tuple[ast.arguments, dict[str, ast.expr | None]
 
 
 def signature_of(function: Any) -> inspect.Signature:
-    """What inspect.signature() says of a function of nanobind."""
+    """What inspect.signature() says of a function or method of nanobind."""
     head, _, defaults = function.__nb_signature__[0]
     arguments, annotations = _arguments(function)
+    of_self = [inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY)]
     given = iter(defaults or ())
     kinds = inspect.Parameter
     first = arguments.args
     optional = len(arguments.defaults)
     of_first = [*[None] * (len(first) - optional), *arguments.defaults]
+
+    def default_of(written: ast.expr | None) -> Any:
+        if written is None:
+            return kinds.empty
+        # A stub of our own has the value itself, where nanobind has only a place for it.
+        is_place = isinstance(written, ast.Constant) and written.value is ...
+        return next(given) if is_place else ast.literal_eval(written)
+
     parameters = [
         kinds(
             one.arg,
             kind,
-            default=kinds.empty if default is None else next(given),
+            default=default_of(default),
             annotation=ast.unparse(annotations[one.arg] or ast.Name("object")),
         )
         for ones, of_ones, kind in (
@@ -120,7 +129,13 @@ def signature_of(function: Any) -> inspect.Signature:
         )
         for one, default in zip(ones, of_ones)
     ]
+    if _is_method(function):
+        parameters = of_self + parameters
     return inspect.Signature(parameters, return_annotation=head.rpartition(" -> ")[2])
+
+
+def _is_method(function: Any) -> bool:
+    return bool(re.match(r"def \w+\(self\b", function.__nb_signature__[0][0]))
 
 
 def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
@@ -187,7 +202,7 @@ def taking_old_names(**renamed: str) -> Callable[[Function], Function]:
 def naming_arguments(function: Function, name: str | None = None) -> Function:
     """The same function: its errors name the argument, and it takes the names of RENAMED."""
     refused = f"{function.__name__}(): incompatible function arguments"
-    is_constructor = function.__name__ == "__init__"
+    is_method = _is_method(function)
 
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
@@ -198,10 +213,28 @@ def naming_arguments(function: Function, name: str | None = None) -> Function:
         except TypeError as error:
             if not str(error).startswith(refused):
                 raise
-            wrong = misfit(function, args[is_constructor:], kwargs)
+            wrong = misfit(function, args[is_method:], kwargs)
             raise TypeError(f"{call.__name__}: {wrong}") from None
 
     call.__module__ = "taut"
     call.__signature__ = signature_of(function)  # type: ignore[attr-defined]
     call.__name__ = call.__qualname__ = name or function.__name__
     return cast("Function", call)
+
+
+def naming_arguments_of_methods(of: type) -> None:
+    """Does the same to the methods of a class of nanobind; its constructor can be inspected."""
+    for name, method in list(vars(of).items()):
+        signatures = getattr(method, "__nb_signature__", ())
+        if len(signatures) != 1 or (name.startswith("__") and name != "__init__"):
+            continue
+        if not _is_method(method):
+            setattr(of, name, staticmethod(naming_arguments(method, f"{of.__name__}.{name}")))
+        elif name == "__init__":
+            signature = signature_of(method)
+            parameters = list(signature.parameters.values())[1:]
+            of.__signature__ = signature.replace(  # type: ignore[attr-defined]
+                parameters=parameters, return_annotation=of.__name__
+            )
+        else:
+            setattr(of, name, naming_arguments(method, f"{of.__name__}.{name}"))

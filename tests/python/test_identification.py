@@ -61,6 +61,52 @@ def test_every_field_of_cpp_is_shown(net, form, survey, found):
     assert both.draws is None
 
 
+def test_what_to_dict_holds_is_an_attribute(net, survey, found):
+    equilibrium = taut.solve_equilibrium(net)
+    for result in (survey, equilibrium):
+        assert set(result.to_dict()) <= set(dir(result)), type(result)
+    of_the_file = {
+        "format",
+        "version",
+        "program",
+        "net_fingerprint",
+        "cable_net",
+        "date",
+        "command",
+    }
+    by_edge = {
+        "edges",
+        "adjustable_edges",
+        "forces",
+    }  # as arrays, and as force_measurements and more
+    assert set(found.to_dict()) - of_the_file - by_edge <= set(dir(found))
+    assert found.noise == pytest.approx(0.5e-3)
+    assert found.frame is None and found.missing_places == []
+    assert found.mean_tension["lower"] < np.mean(found.tension) < found.mean_tension["upper"]
+    assert survey.frame is None and survey.unmatched == [] and survey.has_own_noise
+    assert {one["node"] for one in survey.placed} > set(survey.surveyed)  # and the supports
+    assert len(equilibrium.energy_decreases) == equilibrium.iterations
+
+
+def test_tuples_take_quantities_as_text(net, form, survey):
+    second = taut.read_survey(net, taut.simulate_survey(net, form, noise=0.5e-3, seed=4))
+    tension = taut.identify(net, survey, draws=0).tension[3]
+    settings = {"prior": "uniform:3mm", "draws": 0}
+    by_number = taut.identify(
+        net, survey, forces=[(3, tension, 50.0)], epochs=[(second, [(0, 1e-3, 2e-4)])], **settings
+    )
+    by_text = taut.identify(
+        net,
+        survey,
+        forces=[(3, f"{float(tension)!r}N", "0.05kN")],
+        epochs=[(second, [(0, "1mm", "0.2mm")])],
+        **settings,
+    )
+    assert np.array_equal(by_text.length_deviation, by_number.length_deviation)
+    with pytest.raises(ValueError, match="forces: '5 pounds'"):
+        taut.identify(net, survey, forces=[(3, "5 pounds", 50.0)])
+
+
 def test_the_program_gives_the_same_to_the_last_bit(net, columns, tmp_path):
     net.save(tmp_path / "net.json")
     path = tmp_path / "survey.csv"
@@ -214,7 +260,7 @@ def test_arguments_that_contradict_each_other_are_refused(net, survey, settings,
             {"draws": 50, "uncertain": {}},
             r"identify: uncertain: got dict, expected Sequence\[str\]$",
         ),
-        ({"draws": 50, "forces": [(1, "2N", 3)]}, r"identify: forces: got list, .*float\]\]$"),
+        ({"draws": 50, "forces": [(1, None, 3)]}, r"forces: got NoneType, expected a force in N"),
         ({"draws": 50, "uncertain": ["none"], "seed": -1}, "identify: seed: got int -1, .*int$"),
         ({"model": 1}, "model: got int 1, expected LengthModel"),
         ({"priors": "uniform:5mm"}, "priors: is no argument, expected prior"),

@@ -144,6 +144,25 @@ def test_signatures_can_be_inspected_and_hide_no_function():
     assert of_inspect.return_annotation.endswith("PredictedPrecision")
 
 
+def test_signatures_of_constructors_and_methods_can_be_inspected():
+    seen = 0
+    for of in [getattr(taut, name) for name in taut.__all__]:
+        if not inspect.isclass(of) or issubclass(of, BaseException):
+            continue
+        for name, method in inspect.getmembers(of, callable):
+            if not name.startswith("_"):
+                assert inspect.signature(method).return_annotation, method
+                seen += 1
+    assert seen > 40
+    assert list(inspect.signature(taut.CableNet).parameters)[:2] == ["nodes", "supports"]
+    net = taut.hypar(3, 3)
+    assert list(inspect.signature(net.with_lengths).parameters) == ["unstressed_lengths"]
+    with pytest.raises(TypeError, match=r"CableNet.save: path: is missing"):
+        net.save()
+    with pytest.raises(TypeError, match=r"CableNet.save: path: got int 3, expected"):
+        net.save(3)
+
+
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_ctrl_c_ends_long_work():
     code = (
