@@ -51,7 +51,8 @@ def test_every_field_of_cpp_is_shown(found):
     suggested = saved["suggested_targets"]["targets"]
     assert [one["node"] for one in plan.suggested_targets] == [one["node"] for one in suggested]
     assert taut.plan(found).suggested_adjustable is None
-    assert plan.turns == saved["turns"] and plan.options == saved["options"]
+    assert plan.turns == saved["turns"]
+    assert plan.options == saved["options"]
     assert plan.largest_stroke == saved["largest_stroke"] == np.abs(plan.strokes).max()
 
 

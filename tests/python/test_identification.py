@@ -81,9 +81,12 @@ def test_what_to_dict_holds_is_an_attribute(net, survey, found):
     }  # as arrays, and as force_measurements and more
     assert set(found.to_dict()) - of_the_file - by_edge <= set(dir(found))
     assert found.noise == pytest.approx(0.5e-3)
-    assert found.frame is None and found.missing_places == []
+    assert found.frame is None
+    assert found.missing_places == []
     assert found.mean_tension["lower"] < np.mean(found.tension) < found.mean_tension["upper"]
-    assert survey.frame is None and survey.unmatched == [] and survey.has_own_noise
+    assert survey.frame is None
+    assert survey.unmatched == []
+    assert survey.has_own_noise
     assert {one["node"] for one in survey.placed} > set(survey.surveyed)  # and the supports
     assert len(equilibrium.energy_decreases) == equilibrium.iterations
 
