@@ -58,12 +58,11 @@ public:
 /// Does the work as one process of a group. Each process makes the same calls with the same
 /// arguments. These calls share their work:
 ///
-///     Sampler::extend_to()   each process draws a part of each block; the first process's data set
+///     Sampler::extend_to() each process draws a part of each block; the first process's data set
 ///                          receives the samples, those of the others stay unchanged
 ///     draw_samples()       likewise, but each process receives the samples
-///     gp::fit(), train_model()   two processes decompose for alternate values of lambda, as long
-///     as
-///                          there are two; low-rank work is done by each process
+///     gp::fit()            two processes decompose for alternate values of lambda, as long as
+///     train_model()        there are two; low-rank work is done by each process
 ///     compare_methods(), simulate_control()
 ///                          each process does every size()th trial
 ///

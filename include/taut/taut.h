@@ -89,8 +89,10 @@ TAUT_API void taut_free_survey(taut_survey* survey);
  *   ["stiffness:3%", "supports:2mm"], to which the default assumptions are added, or "none";
  *   "prior_exact", "estimate_noise": true or false; "method": "map", "gp" or "balance"; "draws",
  *   "seed": integers; "forces" and "frequencies": the content of these files, as
- *   "edge,tension,std\nc1,12000,240\n" in N or Hz; "free_length_std": "10mm"; "taut_edges",
- *   "slack_edges": [identifiers]. All mean what they mean to taut identify. */
+ *   "edge,tension[,std]\nc1,12000,240\n" in N, and
+ *   "edge,frequency[,mode][,std]\n..." in Hz; "free_length_std": "10mm"; "taut_edges",
+ *   "slack_edges": [identifiers]. All else means what it means to taut identify. Forces in a unit
+ *   that is most likely another are refused. */
 TAUT_API taut_result* taut_identify(const taut_net* net, const taut_survey* survey,
                                     const char* options);
 /* The same from two or more surveys of one net, in their order; the result is of the last without

@@ -181,14 +181,15 @@ Args:
     estimate_noise: estimate a common factor of the survey's standard deviations.
     prior_exact: take scale and shape of the prior as exact; else both are estimated with the
         lengths.
-    epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke, std),
-        ...]), in m or as '5mm'; and with loads (n, 3) that hung on the net then alone [N]: (survey, [], loads).
+    epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke, std), ...]),
+        in m or as '5mm'; and with loads (n, 3) that hung on the net then alone [N]: (survey, [],
+        loads).
         The result is of the last survey without such loads.
     frequencies: natural frequencies of cables, (edge, frequency [Hz], mode, std [Hz]) each; the net
         needs mass.
     free_length_std: standard deviation of the length that vibrates, which clamps shorten [m].
-    sag: points on sagging cables, (edge, (k, 3) [m], std [m]) each, three points or more of one; the
-        net needs mass.
+    sag: points on sagging cables, (edge, (k, 3) [m], std) each, three points or more of one, std in
+        m or as '3mm'; the net needs mass.
     seed: of the posterior samples.
     progress: called with stage, done, total.
 

@@ -11,11 +11,7 @@
 
 namespace taut {
 
-/// The net with all that an identification estimated: lengths, uncertain parameters, boundary
-/// outliers. Lengths of adjustable edges are as given unless the survey contradicts them. The nodes
-/// are in equilibrium, in the frame of `net`; its loads include its self-weight. Runs slide from
-/// where they were found, with CableRun::likely_friction where none is given. Without
-/// samples.
+/// built_net_of() without samples.
 /// @param net with what was turned since: turned_net()
 /// @param edges, uncertain, boundary_outliers of an identification of this net; their indices are
 ///   not checked

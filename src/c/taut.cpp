@@ -31,6 +31,7 @@
 #include "taut/files/input_error.hpp"
 #include "taut/files/printable.hpp"
 #include "taut/identification/epochs.hpp"
+#include "taut/identification/force_units.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/io/adjustment_csv.hpp"
 #include "taut/io/forces_csv.hpp"
@@ -124,10 +125,10 @@ taut_status status_of(const std::exception& error) {
         case failed_identification:
         case input_file:
         case missing_file:
+        case output_file:
             return TAUT_WRONG_INPUT;
         case interrupted:
             return TAUT_INTERRUPTED;
-        case output_file:
         case no_solution:
         case out_of_memory:
         case peer:
@@ -244,7 +245,8 @@ public:
             return std::nullopt;
         }
         if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, std::uint64_t>) {
-            if (!found->is_number_integer() || *found < 0) {
+            if (!found->is_number_integer() || *found < 0 ||
+                (std::is_same_v<Value, int> && *found > std::numeric_limits<int>::max())) {
                 refuse(name, expected);
             }
         } else if constexpr (std::is_same_v<Value, double>) {
@@ -263,7 +265,7 @@ public:
         }
     }
     std::optional<int> integer(const char* name) {
-        return get<int>(name, "an integer of 0 or more");
+        return get<int>(name, "an integer of 0 or more, below 2^31");
     }
     std::optional<bool> flag(const char* name) { return get<bool>(name, "true or false"); }
     std::optional<std::string> text(const char* name) { return get<std::string>(name, "a text"); }
@@ -351,12 +353,18 @@ taut::Forces forces_of(Options& options, const taut::CableNet& net, const taut::
     if (const std::optional<std::string> table = options.text("frequencies")) {
         for (const taut::FrequencyMeasurement& one :
              parse_frequencies(net, *table, table_of("frequencies"))) {
-            forces.measurements.push_back(
-                tension_by_frequency(net, survey.form, one, free_length_std));
+            forces.measurements.push_back(Options::naming("frequencies", [&] {
+                return tension_by_frequency(net, survey.form, one, free_length_std);
+            }));
         }
     }
     forces.taut = edges_named(options, "taut_edges", net);
     forces.slack = edges_named(options, "slack_edges", net);
+    Options::naming("forces", [&] { check_forces(net, forces); });
+    if (const std::string warning = force_unit_warning(net, forces.measurements);
+        !warning.empty()) {
+        throw InputError("options", "/forces", warning);
+    }
     return forces;
 }
 
@@ -617,13 +625,20 @@ taut_result* taut_identify_epochs(const taut_net* net, const taut_survey* const*
         given(surveys, "surveys");
         Options all(options);
         const std::vector<taut::Epoch> epochs = epochs_of(all, of, {surveys, count_of(count)});
-        const taut::Survey& reported =
-            epochs[static_cast<size_t>(taut::reported_epoch(epochs))].survey;
-        const taut::IdentifyOptions settings = identify_options(all, of, reported);
+        const taut::IdentifyOptions settings = identify_options(all, of, epochs.front().survey);
         all.check_names();
         Report report;
-        return result_of(of, reported,
-                         taut::identify_epochs(of, epochs, settings, report.progress()));
+        const auto found = [&] {
+            try {
+                return taut::identify_epochs(of, epochs, settings, report.progress());
+            } catch (const taut::EpochError& error) {
+                throw std::invalid_argument(
+                    fmt::format("surveys[{}]: {}", error.epoch(), error.what()));
+            }
+        };
+        taut::Identification result = found();
+        return result_of(of, epochs[static_cast<size_t>(taut::reported_epoch(epochs))].survey,
+                         std::move(result));
     });
 }
 

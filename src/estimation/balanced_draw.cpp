@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "net/sliding_nodes.hpp"
-#include "sampling/uncertain_widths.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "adjustment/built_net_parts.hpp"
 #include "estimation/balanced_draw.hpp"
 #include "estimation/determinant_shift.hpp"
 #include "estimation/draw_fit.hpp"

@@ -11,7 +11,6 @@
 #include "estimation/law_blur.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/saddle_point_layout.hpp"
-#include "sampling/uncertain_widths.hpp"
 #include "statics/local_net.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"

@@ -17,7 +17,6 @@
 #include "identification/drawn_summary.hpp"
 #include "identification/stretch_lengths.hpp"
 #include "statics/elastic_stretch.hpp"
-#include "study/error_sums.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {

@@ -50,6 +50,7 @@ void check_options(const CableNet& net, std::span<const Epoch> epochs,
         throw std::invalid_argument("nothing can be turned or hung on before the first survey");
     }
     static_cast<void>(reported_epoch(epochs));
+    check_draws(net, draws_wanted(net, options));
     check_uncertain_parameters(net, options.uncertain);
     check_forces(net, options.forces);
     (void)force_unit_warning(net, options.forces.measurements);

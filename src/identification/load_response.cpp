@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "sampling/uncertain_widths.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"

@@ -18,7 +18,7 @@ namespace {
 
 /// The most probable status of a taut edge, over deviations from the prior and errors of the survey
 /// at evenly spaced quantiles of both.
-/// @param std of the length deviation after the survey, to first order [m]
+/// @param std_dev of the length deviation after the survey, to first order [m]
 EdgeStatus probable_status(const LengthPrior& prior, double std_dev) {
     LengthLikelihood likelihood = without_prior(0.0, prior.std_dev(), 0.0, std_dev);
     if (!std::isfinite(likelihood.std_dev)) {

@@ -14,7 +14,6 @@
 #include "identification/completion.hpp"
 #include "identification/draw_posterior.hpp"
 #include "identification/stretch_lengths.hpp"
-#include "sampling/uncertain_widths.hpp"
 
 namespace taut {
 namespace {

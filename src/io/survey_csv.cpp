@@ -14,7 +14,6 @@
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
 #include "interchange/surveys/survey_reader.hpp"
-#include "sampling/uncertain_widths.hpp"
 #include "survey/covariance.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/table_file.hpp"

@@ -29,8 +29,7 @@ struct Evaluation {
                                                          const std::vector<Trial>& trials,
                                                          const Progress& progress = {});
 
-
-/// The bound for these surveys.
+/// The CramerRaoBound of these surveys.
 /// @param trials of this net, at least one
 /// @return nothing where the statics of a true form are singular: a slack mechanism
 /// @throws std::invalid_argument as cramer_rao_variances()

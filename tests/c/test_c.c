@@ -158,7 +158,13 @@ static void check_all_evidence(void) {
     CHECK(fails(taut_identify(net, first, "{\"forces\": \"none,1\\n\"}"), TAUT_WRONG_INPUT,
                 "options:/forces:1"));
     CHECK(fails(taut_identify(net, first, "{\"frequencies\": \"0,8\\n\"}"), TAUT_WRONG_INPUT,
-                "mass"));
+                "options:/frequencies: "));
+    CHECK(fails(taut_identify(net, first, "{\"forces\": \"0,1\\n1,1\\n2,1\\n\"}"), TAUT_WRONG_INPUT,
+                "options:/forces: "));
+    CHECK(fails(taut_identify(net, first, "{\"draws\": 3000000000}"), TAUT_WRONG_INPUT,
+                "below 2^31"));
+    CHECK(fails(taut_identify_epochs(net, both, 2, "{\"draws\": 2000000000}"), TAUT_WRONG_INPUT,
+                "draws is 2000000000"));
     CHECK(fails(taut_identify(net, first, "{\"slack_edges\": [\"none\"]}"), TAUT_WRONG_INPUT,
                 "options:/slack_edges: names 'none'"));
     CHECK(fails(taut_identify_epochs(net, both, 1, NULL), TAUT_WRONG_INPUT, "1 surveys"));
@@ -168,7 +174,8 @@ static void check_all_evidence(void) {
     CHECK(fails(taut_identify_epochs(net, both, 2, "{\"turned\": [\"none,0.001\\n\"]}"),
                 TAUT_WRONG_INPUT, "options:/turned/0:1"));
     both[1] = first;
-    CHECK(fails(taut_identify_epochs(net, both, 2, NULL), TAUT_WRONG_INPUT, "repeats survey"));
+    CHECK(fails(taut_identify_epochs(net, both, 2, NULL), TAUT_WRONG_INPUT,
+                "surveys[1]: repeats survey"));
     taut_free_result(alone);
     taut_free_survey(first);
     taut_free_survey(second);

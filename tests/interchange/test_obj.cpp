@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sampling/uncertain_widths.hpp"
 #include "support/bad_input.hpp"
 #include "support/errors.hpp"
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -31,10 +30,15 @@ struct BuiltNet {
     Eigen::VectorXd shown_lengths = {};
 };
 
-/// net_as_identified() with the posterior samples, where these are reliable.
+/// The net with all that an identification estimated: lengths, uncertain parameters, boundary
+/// outliers; and with the posterior samples, where these are reliable. Lengths of adjustable edges
+/// are as given unless the survey contradicts them. The nodes are in equilibrium, in the frame of
+/// `net`; its loads include its self-weight. Runs slide from where they were found, with
+/// CableRun::likely_friction where none is given.
 /// @param net as designed: the identification holds what was turned since
 /// @param identification of this net, which is not checked
-/// @throws std::invalid_argument as net_as_identified() and add_draws()
+/// @throws std::invalid_argument where these find no equilibrium, or are no net (NetError), and for
+///   samples in which an edge has no positive length
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT BuiltNet built_net_of(const CableNet& net,
                                                            const Identification& identification);
 

@@ -39,7 +39,7 @@ struct PlanRequest {
     std::vector<GivenTension> target_tension = {};  ///< become options.target_tensions
 };
 
-/// Checks a range by itself; what it is of, resolve() does.
+/// Checks a range by itself; what it is of, plan_turns() does.
 /// @throws RequestError for a lower limit that is negative or not below the upper one, and parts
 ///   above 1
 TAUT_ADJUSTMENT_EXPORT void check_tension_range(const TensionRange& range);
@@ -55,14 +55,21 @@ struct PlannedTurns {
     std::optional<Thread> thread;  ///< of all turnbuckles; empty: as in the net
 };
 
-/// All of a plan: resolve(), plan_strokes(), order_turns() and, where asked for, suggested_edges().
-/// Turnings get expected_frequency() of the designed net.
+/// All of a plan: the edges that a request allows to turn and all limits by edge and support, then
+/// plan_strokes(), order_turns() and, where asked for, suggested_edges(). Turnings get
+/// expected_frequency() of the designed net.
 /// @param net as designed
 /// @param built the net as it stands
 /// @param target of the same net, which is not checked
-/// @throws what these throw, and RequestError for a negative suggest_adjustable, and for a stage of
-/// a
-///   group that the net does not have or of which no edge may be turned
+/// @throws RequestError for a stroke or total stroke that is not positive, a turnbuckle that is
+///   further from its designed length than the total stroke, strokes of an edge that is not
+///   adjustable or of none that may be turned, a group that the net does not have, a range of
+///   tensions whose lower end is negative or not below its upper, parts above 1 or without breaking
+///   loads, a limit of reactions at a group without support, target tensions of what the net does
+///   not have or that contradict each other, a form tolerance without target tensions, a negative
+///   suggest_adjustable, and a stage of which no edge may be turned
+/// @throws std::invalid_argument for added loads of a wrong size
+/// @throws what plan_strokes(), order_turns() and suggested_edges() throw
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT PlannedTurns plan_turns(const CableNet& net,
                                                              const BuiltNet& built,
                                                              const FormTarget& target,

@@ -11,7 +11,8 @@
 #include "taut/adjustment/tension_target.hpp"
 #include "taut/export/adjustment.hpp"
 
-/// Parts of a request as text, as the program takes them. What they must keep to, resolve() checks.
+/// Parts of a request as text, as the program takes them. What they must keep to, plan_turns()
+/// checks.
 namespace taut {
 
 /// "1.5kN..10kN[@GROUP]", "20%..60%[@GROUP]"; either end may be left out.

@@ -41,8 +41,8 @@ struct Process {
 /// Mean and variance at k inputs of m processes.
 struct Prediction {
     Eigen::MatrixXd mean;  ///< m(x_*), eq. mx_* (m x k); 0 for a process that is not fitted
-    Eigen::MatrixXd
-        std_dev;  ///< sigma(x_*), eq. sigmax_*, of the latent function (m x k); 0 likewise
+    /// sigma(x_*), eq. sigmax_*, of the latent function (m x k); 0 likewise
+    Eigen::MatrixXd std_dev;
 };
 
 /// m processes with zero mean and an isotropic squared exponential kernel each, trained on the same

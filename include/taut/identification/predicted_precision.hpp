@@ -46,18 +46,18 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
 };
 
 /// Standard deviations to first order at the nominal lengths and their form, with the prior taken
-/// as a normal one of the same variance (cramer_rao_variances()). Of the net as built, which
+/// as a normal one of the same variance: the Cramer-Rao bound. Of the net as built, which
 /// nobody knows before, they differ to second order. Each status is the one that an identification
 /// most probably gives, over deviations from the prior and errors of the survey: by its own rule,
-/// under the prior itself (posterior_of(), status_of()). Slack are the edges without tension in
+/// under the prior itself. Slack are the edges without tension in
 /// this form.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
 /// @param forces edges whose tensions are measured, and their noise; the tensions are not used
 /// @param relative_force_std standard deviation of one more measurement, as a part of the tension
-/// @throws std::invalid_argument as cramer_rao_variances(), check_forces(),
-/// check_uncertain_parameters(),
-///   and where the net has no interior edge
+/// @throws std::invalid_argument for a form of the wrong size or not finite, as
+///   LengthPrior::check(), check_forces(), check_uncertain_parameters(), and where the net has no
+///   interior edge
 /// @throws SurveyError as check_survey(), and where the survey is exact and not whole
 /// @throws std::runtime_error where the statics are singular at this form
 [[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision predicted_precision(

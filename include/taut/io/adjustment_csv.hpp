@@ -43,8 +43,8 @@ namespace taut {
 [[nodiscard]] TAUT_IO_EXPORT std::vector<GivenTension> parse_target_tensions(
     const CableNet& net, std::string_view text, const std::string& file_name);
 
-/// The target of a plan: a form, as read_form(), or a surface, .obj or .ply, as
-/// parse_surface_mesh().
+/// The target of a plan: a form, as read_form(), or a surface of
+/// triangles, .obj or .ply.
 /// @param file its name; empty: the net's own nodes
 /// @param unit of a surface's coordinates [m]
 /// @throws InputError as these

@@ -16,7 +16,7 @@ namespace taut {
 /// header with these names may be left out; empty lines and those that start with # are skipped. An
 /// edge is a name of the net, else an index; it comes as often as it has points.
 /// @param file_name for messages
-/// @param std of points without one [m]
+/// @param std_dev of points without one [m]
 /// @return in the order of the file, at least one
 /// @throws InputError with the line, for anything else, an edge that is not of the net, and a std
 ///   that is not positive

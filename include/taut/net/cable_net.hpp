@@ -157,8 +157,8 @@ struct CableNetData {
 /// l_0 and r_B. Immutable, and valid by construction.
 ///
 /// References, spans and pointers that it returns are valid until the net is destroyed or assigned
-/// to. Functions and objects of taut copy what they need of a net; those that refer to it (Method,
-/// PlanRecord) say so.
+/// to. Functions and objects of taut copy what they need of a net; those that refer to it
+/// (PlanRecord) say so.
 class TAUT_CORE_EXPORT CableNet {
 public:
     /// Checks every rule of a net.

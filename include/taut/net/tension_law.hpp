@@ -38,14 +38,14 @@ struct TAUT_CORE_EXPORT TensionLaw {
     };
     [[nodiscard]] Tangent at(double strain_there) const;  ///< of the segment there
 
-    /// The law blurred by an uncertain strain: the mean of the tension over N(strain, std^2), and
-    /// the slope of this mean with respect to the strain. That of a cable that sags is smooth, and
-    /// stays as it is.
-    /// @param std 0 or less: as at()
+    /// The law blurred by an uncertain strain: the mean of the tension over N(strain, std_dev^2),
+    /// and the slope of this mean with respect to the strain. That of a cable that sags is smooth,
+    /// and stays as it is.
+    /// @param std_dev 0 or less: as at()
     [[nodiscard]] Tangent blurred(double strain_there, double std_dev) const;
-    /// The variance over N(strain, std^2) of the difference between the law and the tangent
+    /// The variance over N(strain, std_dev^2) of the difference between the law and the tangent
     /// blurred(), by 40 equally probable points [N2].
-    /// @param std positive
+    /// @param std_dev positive
     [[nodiscard]] double missed_by_blurred(double strain_there, double std_dev) const;
 
     /// The least strain with this tension; of a cable that sags without any it is infinite.

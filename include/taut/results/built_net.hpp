@@ -12,7 +12,7 @@ namespace taut {
 
 /// The net as it stands by a saved identification.
 struct IdentifiedNet {
-    BuiltNet built;  ///< net_as_identified(), with the posterior samples kept beside the result
+    BuiltNet built;  ///< as built_net_of(), with the posterior samples kept beside the result
     Trust trust;     ///< of the identification; empty where an older version saved it
 };
 

@@ -35,7 +35,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
     double std_dev = 0.0;         ///< standard deviation, in the unit of the kind
     std::string group;            ///< of edges, of the net; empty: all
 
-    /// Of std: "1" for a part, "K", "m" or "N".
+    /// Of std_dev: "1" for a part, "K", "m" or "N".
     [[nodiscard]] std::string_view unit() const;
 
     friend bool operator==(const UncertainParameter&,
@@ -82,7 +82,8 @@ struct KnownForces {
 /// most a tenth of the shortest edge concerned. Stiffness of elastic supports 25 %. Loads 5 % in
 /// common, where there are any. The mass, and with it the self-weight, 3 % where edges have one. Of
 /// forces, where measured: 1 % in common of load cells; of known loads that hung on the net at one
-/// survey, 2 %. with_slips().
+/// survey, 2 %. Where runs slide, what has slid: 0.1 m, at most a tenth of the shortest edge that
+/// slides, so that nothing is assumed of it.
 /// @param given takes precedence: nothing is assumed of a parameter with a name in it
 /// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(

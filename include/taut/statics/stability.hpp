@@ -9,10 +9,10 @@
 
 namespace taut {
 
-/// The smallest eigenvalue of the tangent stiffness of the free nodes, stiffness(). An equilibrium
-/// is stable where it is positive, buckles where it is negative, and is about to where it is small
-/// beside that of another form of the net. By bisection with Sylvester's law of inertia, to a
-/// thousandth; 0 for what is smaller than 1e-12 of the largest entry.
+/// The smallest eigenvalue of the tangent stiffness of the free nodes, tangent_stiffness(). An
+/// equilibrium is stable where it is positive, buckles where it is negative, and is about to where
+/// it is small beside that of another form of the net. By bisection with Sylvester's law of
+/// inertia, to a thousandth; 0 for what is smaller than 1e-12 of the largest entry.
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form coordinates of all nodes (3 x n) [m]
 /// @return [N/m]

@@ -104,8 +104,8 @@ struct Comparison {
 };
 
 /// Compares all methods on simulated surveys of one net.
-/// @throws std::invalid_argument as ComparisonSettings::check(), check_uncertain_parameters(),
-///   Sampler and simulate_trials()
+/// @throws std::invalid_argument as ComparisonSettings::check(), check_uncertain_parameters()
+///   and Sampler
 /// @throws std::runtime_error where too few samples converge
 /// @param progress gets the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested

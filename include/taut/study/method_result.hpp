@@ -11,7 +11,7 @@ namespace taut {
 /// How well one method identified the lengths of many surveys. Failures are counted, and left out
 /// of all other numbers.
 struct MethodResult {
-    std::string name;           ///< Method::name
+    std::string name;           ///< "gp_as_in_paper", "gp", "balance" or "map"
     int surveys = 0;            ///< tried
     int failed = 0;             ///< of these: refused, or not converged
     std::string first_failure;  ///< in words; empty where none failed
@@ -24,14 +24,14 @@ struct MethodResult {
     FormErrorSummary form_error;  ///< of the predicted form, mean over the surveys [m]
     int forms_not_converged = 0;  ///< predicted forms out of balance: left out of form_error
 
-    double training_seconds = 0.0;  ///< Method::training_seconds
+    double training_seconds = 0.0;  ///< wall time, a share where trained with others [s]
     double seconds = 0.0;  ///< mean wall time of one identification, while other threads work
 
     [[nodiscard]] int identified() const { return surveys - failed; }  ///< that gave lengths
 };
 
 /// Cramer-Rao bound of the mean squared error of the lengths: the mean over edges and surveys of
-/// cramer_rao_variances() at the truth [m2].
+/// the bound at the truth [m2].
 struct CramerRaoBound {
     double mse = 0.0;          ///< over all interior edges
     double mse_of_taut = 0.0;  ///< over the edges that are taut in the true form
