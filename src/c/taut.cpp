@@ -360,9 +360,11 @@ taut::Forces forces_of(Options& options, const taut::CableNet& net, const taut::
     }
     forces.taut = edges_named(options, "taut_edges", net);
     forces.slack = edges_named(options, "slack_edges", net);
-    Options::naming("forces", [&] { check_forces(net, forces); });
-    if (const std::string warning = force_unit_warning(net, forces.measurements);
-        !warning.empty()) {
+    const std::string warning = Options::naming("forces", [&] {
+        check_forces(net, forces);
+        return force_unit_warning(net, forces.measurements);
+    });
+    if (!warning.empty()) {
         throw InputError("options", "/forces", warning);
     }
     return forces;
