@@ -152,9 +152,7 @@ ResultJson json_of(const V& value, const Context& context) {
         return list;
     } else if constexpr (Inside<V>::is_optional) {
         return value ? json_of(*value, context) : ResultJson();
-    } else if constexpr (std::is_enum_v<V>) {
-        return to_string(value);
-    } else if constexpr (is_in_words<V>) {
+    } else if constexpr (std::is_enum_v<V> || is_in_words<V>) {
         return to_string(value);
     } else if constexpr (std::is_same_v<V, Eigen::Vector3d>) {
         return {value.x(), value.y(), value.z()};
