@@ -27,11 +27,11 @@ int main() {
         return 1;
     }
 
-    // Back to the design, by quarter turns of 5 mm; between 1.5 and 10 kN in every cable.
+    // Back to the design, by quarter turns of 5 mm; between 1.5 and 12 kN in every cable.
     const taut::BuiltNet built = taut::built_net_of(net, found);
     taut::Limits limits = taut::stroke_limits(net, net.adjustable_edges(), 0.015);
     limits.tension.lower.setConstant(1.5e3);
-    limits.tension.upper.setConstant(10e3);
+    limits.tension.upper.setConstant(12e3);
     const taut::TurnSize turn{.pitch = 0.005, .smallest = 0.25};
     const taut::Plan plan =
         taut::plan_strokes(built, taut::FormTarget(net, net.nodes()), limits,
