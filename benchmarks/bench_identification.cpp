@@ -54,33 +54,27 @@ void balance(benchmark::State& state) {
 }
 BENCHMARK(balance)->Arg(0)->Arg(5)->Unit(benchmark::kMillisecond);
 
-void map(benchmark::State& state) {
-    const CableNet net = taut::hilo_quarter();
-    const taut::Survey survey = survey_of(net, metres(state));
+/// Lengths alone: nothing else uncertain, no samples.
+void map_lengths(benchmark::State& state, const CableNet& net, double noise) {
+    const taut::Survey survey = survey_of(net, noise);
+    const taut::IdentifyOptions options{.method = taut::IdentificationMethod::map,
+                                        .prior = prior,
+                                        .assume_site = false,
+                                        .draws = 0};
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::identify(net, survey,
-                                                {.method = taut::IdentificationMethod::map,
-                                                 .prior = prior,
-                                                 .assume_site = false,
-                                                 .draws = 0})
-                                     .edges.data());
+        benchmark::DoNotOptimize(taut::identify(net, survey, options).edges.data());
     }
+}
+
+void map(benchmark::State& state) {
+    map_lengths(state, taut::hilo_quarter(), metres(state));
 }
 BENCHMARK(map)->Arg(0)->Arg(1)->Arg(5)->Arg(20)->Unit(benchmark::kMillisecond);
 
 /// Argument: side of the net; 158 makes 50,000 edges.
 void map_of_hypar(benchmark::State& state) {
     const auto side = static_cast<int>(state.range(0));
-    const CableNet net = taut::hypar(side, side);
-    const taut::Survey survey = survey_of(net, 0.0005);
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::identify(net, survey,
-                                                {.method = taut::IdentificationMethod::map,
-                                                 .prior = prior,
-                                                 .assume_site = false,
-                                                 .draws = 0})
-                                     .edges.data());
-    }
+    map_lengths(state, taut::hypar(side, side), 0.0005);
 }
 BENCHMARK(map_of_hypar)->Arg(30)->Arg(158)->Unit(benchmark::kMillisecond)->Iterations(1);
 

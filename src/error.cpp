@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "taut/error.hpp"
 
+#include <array>
 #include <new>
 #include <stdexcept>
 
@@ -10,35 +11,12 @@ namespace taut {
 Error::~Error() = default;
 
 std::string_view to_string(ErrorCode code) {
-    switch (code) {
-        case ErrorCode::argument:
-            return "argument";
-        case ErrorCode::net:
-            return "net";
-        case ErrorCode::survey:
-            return "survey";
-        case ErrorCode::request:
-            return "request";
-        case ErrorCode::failed_identification:
-            return "failed_identification";
-        case ErrorCode::input_file:
-            return "input_file";
-        case ErrorCode::missing_file:
-            return "missing_file";
-        case ErrorCode::output_file:
-            return "output_file";
-        case ErrorCode::no_solution:
-            return "no_solution";
-        case ErrorCode::interrupted:
-            return "interrupted";
-        case ErrorCode::out_of_memory:
-            return "out_of_memory";
-        case ErrorCode::peer:
-            return "peer";
-        case ErrorCode::other:
-            break;
-    }
-    return "other";
+    static constexpr auto names = std::to_array<std::string_view>(
+        {"argument", "net", "survey", "request", "failed_identification", "input_file",
+         "missing_file", "output_file", "no_solution", "interrupted", "out_of_memory", "peer",
+         "other"});
+    static_assert(names.size() == static_cast<size_t>(ErrorCode::other) + 1);
+    return names.at(static_cast<size_t>(code));
 }
 
 ErrorCode error_code(const std::exception& error) noexcept {
