@@ -29,19 +29,18 @@ PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
         throw NumericalFailure(
             fmt::format("{}: no equilibrium was found: {}", net_file, equilibrium_text(nominal)));
     }
-    // As identify does, which takes the net as exact where the survey is.
-    const std::vector<UncertainParameter> parameters =
-        survey.is_noisy() ? uncertain.assumed(net, net_file, forces)
-                          : uncertain.given(net, net_file);
+    const std::vector<UncertainParameter> given = uncertain.given(net, net_file);
     PredictedPrecision lengths = with_survey_of(options.survey, [&] {
-        return predicted_precision(net, nominal.form, survey, prior, forces, parameters);
+        return predicted_precision(
+            net, nominal.form, survey, prior,
+            {.forces = forces, .uncertain = given, .assume_site = uncertain.assume_site()});
     });
     std::optional<MeasurementSuggestions> suggested;
     if (!suggestions.quantity.empty()) {
         SuggestOptions further = suggestions.read(noise);
-        further.assume_site = survey.is_noisy() && uncertain.assume_site();
-        suggested = suggested_measurements(net, nominal.form, survey, prior, forces,
-                                           uncertain.given(net, net_file), further);
+        further.assume_site = uncertain.assume_site();
+        suggested =
+            suggested_measurements(net, nominal.form, survey, prior, forces, given, further);
     }
     return {.survey = std::move(survey),
             .prior = prior,

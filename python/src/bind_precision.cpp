@@ -118,11 +118,9 @@ void bind_predicted_precision(nb::module_& module) {
             const double noise = length_given(given_noise, "noise");
             const Survey survey = planned_survey(net, targets, noise);
             return without_lock([&] {
-                const std::vector<UncertainParameter> given = uncertain_given(net, uncertain);
-                return predicted_precision(net, survey.form, survey, parse_length_prior(prior), {},
-                                           assumes_site(uncertain) && noise > 0.0
-                                               ? with_site_assumptions(net, given)
-                                               : given);
+                return predicted_precision(net, survey.form, survey, parse_length_prior(prior),
+                                           {.uncertain = uncertain_given(net, uncertain),
+                                            .assume_site = assumes_site(uncertain)});
             });
         },
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
@@ -185,7 +183,7 @@ void bind_suggestions(nb::module_& module) {
                                        .frequency_std = frequency_noise,
                                        .free_length_std = free_std,
                                        .most = count,
-                                       .assume_site = assumes_site(uncertain) && noise > 0.0};
+                                       .assume_site = assumes_site(uncertain)};
                 for (const auto& [kind, cost] : costs) {
                     options.costs[parse_measurement_kind(kind)] = cost;
                 }

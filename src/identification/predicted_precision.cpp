@@ -11,6 +11,7 @@
 #include "estimation/length_posterior.hpp"
 #include "identification/planned_fit.hpp"
 #include "net/sliding_nodes.hpp"
+#include "taut/identification/identify.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -108,10 +109,12 @@ double PredictedPrecision::rms_std() const {
 
 PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<const Points>& form,
                                        const Survey& survey, const LengthPrior& prior,
-                                       const Forces& forces,
-                                       const std::vector<UncertainParameter>& uncertain,
-                                       double relative_force_std) {
-    const PlannedFit planned(net, form, survey, prior, forces, uncertain);
+                                       const PredictOptions& options) {
+    const PlannedFit planned(
+        net, form, survey, prior, options.forces,
+        options.assume_site && survey.is_noisy()
+            ? with_site_assumptions(net, options.uncertain, measured_by(options.forces))
+            : options.uncertain);
     const Eigen::VectorXd variances = length_variances(planned, prior);
     const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
     const double slip_std = planned.model().common.slip_std();
@@ -128,7 +131,7 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
                        : slides[edge] ? status_of(std::hypot(prior.std_dev(), slip_std), std_dev)
                                       : probable_status(prior, std_dev)});
     }
-    add_tensions(planned, relative_force_std, result);
+    add_tensions(planned, options.relative_force_std, result);
     return result;
 }
 

@@ -111,8 +111,9 @@ TEST_F(ForceMeasurements, AddWhatIsPredicted) {
     Forces forces{.measurements = {measured(3, 0.02), measured(30, 0.02), measured(50, 0.02)},
                   .taut = {},
                   .slack = {}};
-    const PredictedPrecision precision = predicted_precision(
-        m_net, solve_equilibrium(m_net).form, m_truth.simulated.survey, prior, forces);
+    const PredictedPrecision precision =
+        predicted_precision(m_net, solve_equilibrium(m_net).form, m_truth.simulated.survey, prior,
+                            {.forces = forces, .assume_site = false});
     const Identification then = found(forces);
     EXPECT_NEAR(precision.mean_tension_std, then.drawn.mean_tension.std_dev,
                 0.25 * then.drawn.mean_tension.std_dev);
@@ -120,8 +121,9 @@ TEST_F(ForceMeasurements, AddWhatIsPredicted) {
     const TensionPrecision& best = precision.force_candidates.front();
     forces.measurements.push_back(
         {.edge = best.edge, .tension = best.tension, .std_dev = 0.02 * best.tension});
-    const PredictedPrecision next = predicted_precision(m_net, solve_equilibrium(m_net).form,
-                                                        m_truth.simulated.survey, prior, forces);
+    const PredictedPrecision next =
+        predicted_precision(m_net, solve_equilibrium(m_net).form, m_truth.simulated.survey, prior,
+                            {.forces = forces, .assume_site = false});
     EXPECT_NEAR(next.mean_tension_std, best.mean_std_if_measured, 1e-6 * best.mean_std_if_measured);
     EXPECT_LT(next.mean_tension_std, precision.mean_tension_std);
 }

@@ -63,7 +63,8 @@ TEST(PredictedPrecision, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
         const std::set<int> hidden =
             radius < 0 ? std::set<int>() : region(net, net.free_nodes()[20], radius);
         const Survey survey = test::planned_survey(net, noise_std, hidden);
-        const PredictedPrecision precision = predicted_precision(net, form, survey, normal_3mm);
+        const PredictedPrecision precision =
+            predicted_precision(net, form, survey, normal_3mm, {.assume_site = false});
         const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
         const Eigen::VectorXd stds = test::of_edges(precision.edges, &EdgePrecision::std_dev);
         EXPECT_LT((stds - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
@@ -87,7 +88,8 @@ TEST(PredictedPrecision, IsWhatIdentificationsThenGive) {
                 test::hide(net, s.survey, node);
             }
         }
-        const PredictedPrecision precision = predicted_precision(net, form, s.survey, prior);
+        const PredictedPrecision precision =
+            predicted_precision(net, form, s.survey, prior, {.assume_site = false});
         const Identification then = identify_by_maximum_a_posteriori(net, s.survey, prior);
         const Eigen::VectorXd stds = test::of_edges(then.edges, &IdentifiedEdge::std_dev);
         EXPECT_NEAR(precision.rms_std(), std::sqrt(stds.cwiseAbs2().mean()),
@@ -97,6 +99,23 @@ TEST(PredictedPrecision, IsWhatIdentificationsThenGive) {
         EXPECT_GT(open, 10);
         EXPECT_NEAR(precision.count(EdgeStatus::not_determined), open, 0.3 * open);
     }
+}
+
+TEST(PredictedPrecision, AssumesByDefaultWhatIdentifyAssumes) {
+    const CableNet net = hypar(4, 4);
+    const Points form = solve_equilibrium(net).form;
+    const test::SimulatedSurvey s = test::simulate(net, normal_3mm, noise_std, 3);
+    const PredictedPrecision precision = predicted_precision(net, form, s.survey, normal_3mm);
+    const Identification then = identify(net, s.survey, {.prior = normal_3mm, .prior_exact = true});
+    EXPECT_NEAR(precision.mean_tension_std, then.drawn.mean_tension.std_dev,
+                0.25 * precision.mean_tension_std);
+    const PredictedPrecision exact =
+        predicted_precision(net, form, s.survey, normal_3mm, {.assume_site = false});
+    EXPECT_GT(precision.mean_tension_std, 1.5 * exact.mean_tension_std);
+    const Survey whole = test::planned_survey(net, 0.0);
+    EXPECT_EQ(
+        predicted_precision(net, form, whole, normal_3mm).mean_tension_std,
+        predicted_precision(net, form, whole, normal_3mm, {.assume_site = false}).mean_tension_std);
 }
 
 TEST(PredictedPrecision, KnowsASlackEdge) {

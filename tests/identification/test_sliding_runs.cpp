@@ -229,7 +229,8 @@ TEST(SlidingRuns, ArePredictedBeforeASurvey) {
     const test::SimulatedSurvey s = test::simulate(net, prior, 0.5e-3, 2);
     const Identification found =
         test::identify_lengths(net, s.survey, {.prior = prior, .prior_exact = true});
-    const PredictedPrecision predicted = predicted_precision(net, net.nodes(), s.survey, prior);
+    const PredictedPrecision predicted =
+        predicted_precision(net, net.nodes(), s.survey, prior, {.assume_site = false});
     ASSERT_EQ(predicted.edges.size(), found.edges.size());
     for (size_t i = 0; i < found.edges.size(); ++i) {
         EXPECT_NEAR(predicted.edges[i].std_dev / found.edges[i].std_dev, 1.0, 0.25);

@@ -110,7 +110,7 @@ TEST(SuggestedMeasurements, AreTheBestOnesOfAllByDifferencesOfEquilibria) {
     const Survey survey =
         test::planned_survey(net, suggest_noise_std, {net.free_nodes()[4], net.free_nodes()[0]});
     const Reference reference(net, survey);
-    SuggestOptions options{.load = 150.0, .most = 3};
+    SuggestOptions options{.load = 150.0, .most = 3, .assume_site = false};
     const MeasurementSuggestions found =
         suggested_measurements(net, solve_equilibrium(net).form, survey, suggest_prior, {},
                                uncertain({"stiffness:5%", "forces:1%", "test-loads:2%"}), options);
@@ -153,7 +153,7 @@ TEST(SuggestedMeasurements, OfEachKindGiveWhatTheyPromise) {
     const Survey survey = test::planned_survey(net, suggest_noise_std, {net.free_nodes()[4]});
     const Reference reference(net, survey);
     const auto first_of = [&](MeasurementKind kind) {
-        SuggestOptions options{.load = 150.0, .most = 1};
+        SuggestOptions options{.load = 150.0, .most = 1, .assume_site = false};
         for (const MeasurementKind other :
              {MeasurementKind::load_cell, MeasurementKind::target, MeasurementKind::load}) {
             options.costs[other] = other == kind ? 1.0 : 1e6;
@@ -182,14 +182,17 @@ TEST(SuggestedMeasurements, OfTargetsLowerTheUncertaintyOfTheForm) {
     const MeasurementSuggestions found = suggested_measurements(
         net, form, test::planned_survey(net, suggest_noise_std, {hidden.begin(), hidden.end()}),
         suggest_prior, {}, {},
-        {.quantity = SoughtQuantity::form, .costs = {{MeasurementKind::load, 100.0}}, .most = 2});
+        {.quantity = SoughtQuantity::form,
+         .costs = {{MeasurementKind::load, 100.0}},
+         .most = 2,
+         .assume_site = false});
     ASSERT_EQ(found.steps.size(), 2u);
     std::vector<int> nodes{found.steps[0].node, found.steps[1].node};
     std::ranges::sort(nodes);
     EXPECT_EQ(nodes, hidden);
-    const MeasurementSuggestions whole =
-        suggested_measurements(net, form, test::planned_survey(net, suggest_noise_std),
-                               suggest_prior, {}, {}, {.quantity = SoughtQuantity::form});
+    const MeasurementSuggestions whole = suggested_measurements(
+        net, form, test::planned_survey(net, suggest_noise_std), suggest_prior, {}, {},
+        {.quantity = SoughtQuantity::form, .assume_site = false});
     EXPECT_NEAR(found.steps[1].remaining_std, whole.std_dev, 1e-6 * whole.std_dev);
 }
 

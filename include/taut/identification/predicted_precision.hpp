@@ -45,6 +45,16 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
     [[nodiscard]] double rms_std() const;
 };
 
+/// What a prediction knows besides the survey.
+struct PredictOptions {
+    Forces forces = {};  ///< whose edges are measured, and their noise; the tensions are not used
+    std::vector<UncertainParameter> uncertain = {};  ///< besides the lengths
+    /// Whether what is not among `uncertain` has the widths of a site, with_site_assumptions(), as
+    /// identify() takes it by default. An exact survey takes the net as exact.
+    bool assume_site = true;
+    double relative_force_std = 0.02;  ///< of one more measurement, as a part of the tension
+};
+
 /// Standard deviations to first order at the nominal lengths and their form, with the prior taken
 /// as a normal one of the same variance: the Cramer-Rao bound. Of the net as built, which
 /// nobody knows before, they differ to second order. Each status is the one that an identification
@@ -53,16 +63,13 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
 /// this form.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
-/// @param forces edges whose tensions are measured, and their noise; the tensions are not used
-/// @param relative_force_std standard deviation of one more measurement, as a part of the tension
 /// @throws std::invalid_argument for a form of the wrong size or not finite, as
 ///   LengthPrior::check(), check_forces(), check_uncertain_parameters(), and where the net has no
 ///   interior edge
 /// @throws SurveyError as check_survey(), and where the survey is exact and not whole
 /// @throws std::runtime_error where the statics are singular at this form
-[[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision predicted_precision(
-    const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
-    const LengthPrior& prior, const Forces& forces = {},
-    const std::vector<UncertainParameter>& uncertain = {}, double relative_force_std = 0.02);
+[[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision
+predicted_precision(const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
+                    const LengthPrior& prior, const PredictOptions& options = {});
 
 }  // namespace taut

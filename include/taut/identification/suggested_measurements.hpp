@@ -52,9 +52,9 @@ struct SuggestOptions {
     double frequency_std = 0.01;    ///< standard deviation, as a part of the frequency
     double free_length_std = 0.01;  ///< of a vibrating cable [m]
     int most = 5;                   ///< number of measurements
-    /// As identify() does by default: with_site_assumptions() for all kinds of measurements, and
-    /// what lengths have in common is uncertain.
-    bool assume_site = false;
+    /// Whether with_site_assumptions() hold for all kinds of measurements, and what lengths have in
+    /// common is uncertain, as identify() takes it by default.
+    bool assume_site = true;
 };
 
 /// A measurement, and what is left uncertain with it and those before it.
