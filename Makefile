@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test app wheel examples bench reference docs lint format sanitize fuzz hostile nightly clean
+.PHONY: help build demo test app wheel windows examples bench reference docs lint format sanitize fuzz hostile nightly clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -42,6 +42,11 @@ app: ## build the program as one page for browsers, build/app/taut.html
 wheel: app ## build wheels of the Python package for other machines, with all libraries in them, in build/python/wheels
 	scripts/install_dependencies.sh build python
 	scripts/wheels.sh
+
+windows: build ## build the program for Windows, in build/windows/taut, and try it with Wine
+	scripts/install_dependencies.sh windows
+	scripts/windows.sh
+	scripts/check_windows.sh
 
 examples: ## build and run the examples
 	scripts/install_dependencies.sh build examples

@@ -13,8 +13,8 @@ endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(FastFloat REQUIRED)  # std::from_chars of a double, which libc++ has from 20 on
 find_package(fmt 9 REQUIRED)
-# Clang 19 and the GCC that made Debian's libfmt give one of its templates two names.
-if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+# Clang 19 and the GCC that made Debian's libfmt give one of its templates two names; for another machine there is none.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR CMAKE_CROSSCOMPILING)
     set(TAUT_FMT fmt::fmt-header-only)
 else()
     set(TAUT_FMT fmt::fmt)

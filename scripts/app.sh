@@ -31,26 +31,15 @@ hdf5() { # place
         packaging/hdf5/build.sh "$1" "${toolchain[@]}" -DHDF5_ENABLE_THREADSAFE=OFF -DH5_HAVE_FCNTL=OFF
 }
 
-depends_on() { apt-cache depends "$1" 2>/dev/null | sed -n "s/^ *Depends: \($2.*\)/\1/p" || true; }
-
-rust() { # place
-    (cd "$1" && apt-get download "${packages[@]}" >/dev/null)
-    local package
-    for package in "$1"/*.deb; do dpkg -x "$package" "$1"; done
-    rm "$1"/*.deb
-}
-
 program() { # place
     prepare_zig
     local toolchain=("-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/wasm/toolchain.cmake" "-DTAUT_ZIG=$zig" "-DTAUT_CROSS_ROOT=$root")
     keep root "$root"
     keep hdf5 "$hdf5"
-    keep rust "$rust"
-    export RUSTC="$rust/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_UNSTABLE_BUILD_STD=std,panic_abort
+    use_rust std,panic_abort
     export CARGO_TARGET_WASM32_WASIP1_RUSTFLAGS="-C target-feature=+simd128 -C panic=abort"
     # Clarabel asks for a shared library, too, which nobody links.
     export CARGO_TARGET_WASM32_WASIP1_LINKER=true
-    export LD_LIBRARY_PATH="$rust/usr/lib/x86_64-linux-gnu"
     export PKG_CONFIG_LIBDIR="$hdf5/installed/lib/pkgconfig:$root/lib/pkgconfig"
     cmake --preset app --log-level=WARNING "${toolchain[@]}" "-DTAUT_CARGO_FOLDER=$rust/clarabel" \
         "-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES=$PWD/cmake/cross/packages.cmake"
@@ -61,14 +50,7 @@ program() { # place
 
 root="$(place root < <(made_of && cat cmake/wasm/{toolchain.cmake,Platform/*,runtime/*}))"
 hdf5="$(place hdf5 < <(echo "$root" && cat packaging/hdf5/{build.sh,Cargo.lock}))"
-std="$(depends_on libstd-rust-web-dev libstd-rust-web-)"
-if [[ -z "$std" ]]; then
-    echo "app.sh: apt lists no package libstd-rust-web-dev, which Debian 12 has: call apt-get update" >&2
-    exit "$([[ "${1:-}" == --kept ]]; echo $?)"
-fi
-# As root, apt would warn that its own user may not write here.
-packages=(-o APT::Sandbox::User=root rustc-web rust-web-src libstd-rust-web-dev "$std" "$(depends_on "$std" libllvm)")
-rust="$(place rust < <(apt-get download --print-uris "${packages[@]}"))"
+find_rust || exit "$([[ "${1:-}" == --kept ]]; echo $?)"
 sources=(CMakeLists.txt CMakePresets.json LICENSE apps/taut cmake extern include src viewer)
 program="$(place program < <(echo "$root $hdf5 $rust" && find "${sources[@]}" -type f \
     -not -path '*/node_modules/*' -not -path 'viewer/app/*' -not -path 'viewer/tests/*' \

@@ -92,3 +92,32 @@ made_of() {
         cut --delimiter : --fields 1 | xargs dpkg-query --show
     cat cmake/cross/libraries/CMakeLists.txt scripts/requirements/app*.txt
 }
+
+depends_on() { apt-cache depends "$1" 2>/dev/null | sed -n "s/^ *Depends: \($2.*\)/\1/p" || true; }
+
+rust() { # place
+    (cd "$1" && apt-get download "${packages[@]}" >/dev/null)
+    local package
+    for package in "$1"/*.deb; do dpkg -x "$package" "$1"; done
+    rm "$1"/*.deb
+}
+
+# Sets rust, the place of Debian's compiler for it with the sources of its standard library.
+find_rust() {
+    local std
+    std="$(depends_on libstd-rust-web-dev libstd-rust-web-)"
+    if [[ -z "$std" ]]; then
+        echo "$(basename "$0"): apt lists no package libstd-rust-web-dev, which Debian 12 has: call apt-get update" >&2
+        return 1
+    fi
+    # As root, apt would warn that its own user may not write here.
+    packages=(-o APT::Sandbox::User=root rustc-web rust-web-src libstd-rust-web-dev "$std" "$(depends_on "$std" libllvm)")
+    rust="$(place rust < <(apt-get download --print-uris "${packages[@]}"))"
+}
+
+# Lets cargo build with it, and these parts of the standard library from their sources.
+use_rust() { # part,...
+    keep rust "$rust"
+    export RUSTC="$rust/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_UNSTABLE_BUILD_STD="$1"
+    export LD_LIBRARY_PATH="$rust/usr/lib/x86_64-linux-gnu"
+}

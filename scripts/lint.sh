@@ -61,11 +61,13 @@ source_with() { # header
     esac
 }
 
-# Sources that have changed since a commit, and for each header that has, one that includes it.
+# Sources that have changed since a commit, and for each header that has, one that includes it. Those for
+# other systems are not compiled here.
 changed_since() {
     local file
     { git diff --name-only --diff-filter=d "$1" && git ls-files --others --exclude-standard; } |
-        grep --extended-regexp '^(src|apps|include)/.*pp$' | sort --unique | while IFS= read -r file; do
+        grep --extended-regexp '^(src|apps|include)/.*pp$' |
+        grep --invert-match --extended-regexp '(wasi|windows)\.cpp$' | sort --unique | while IFS= read -r file; do
         case "$file" in
             *.cpp) echo "$file" ;;
             *) source_with "$file" ;;

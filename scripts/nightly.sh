@@ -26,6 +26,7 @@ step ctest --preset nightly
 step scripts/check_compilers.sh libc++
 step scripts/sanitize.sh
 step make app
+step make windows
 step env TAUT_PROGRAM="$PWD/build/taut" npm --prefix viewer run test:app
 step make fuzz SECONDS="$seconds"
 step "${hostile[@]}" --every-fault --seconds $((5 * seconds))

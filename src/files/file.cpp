@@ -11,13 +11,14 @@
 #include "files/message.hpp"
 #include "files/open_file.hpp"
 #include "files/output_places.hpp"
+#include "platform/platform.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
 namespace {
 
 void write_content(AtomicFile& file, const std::filesystem::path& name, std::string_view content) {
-    const File stream(std::fopen(file.temporary().c_str(), "wb"));
+    const File stream(platform::open_stream(file.temporary(), "wb"));
     if (!stream || std::fwrite(content.data(), 1, content.size(), stream.get()) < content.size() ||
         std::fflush(stream.get()) != 0) {
         throw OutputError(name, "cannot be written: " + error_text(errno));
@@ -70,7 +71,7 @@ File open_file(const std::filesystem::path& path) {
     if (is_directory(path, error)) {
         throw InputError(path.string(), "", "is a directory, expected a file");
     }
-    File file(std::fopen(path.c_str(), "rb"));
+    File file(platform::open_stream(path, "rb"));
     if (!file) {
         const int failure = errno;
         const std::string problem = "cannot be read: " + error_text(failure);

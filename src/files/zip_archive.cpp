@@ -6,9 +6,10 @@
 #include <unzip.h>
 #include <zip.h>
 
-#include <cstdio>
-#include <cstdlib>
+#include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "taut/files/input_error.hpp"
 
@@ -18,28 +19,85 @@ namespace {
 constexpr size_t most_unpacked = size_t{32} << 20U;
 constexpr size_t most_parts = 10'000;
 
-/// Opens the bytes where minizip would open a file.
-void* open_bytes(void* bytes, const void* /*name*/, int /*mode*/) {
-    const auto& text = *static_cast<const std::string_view*>(bytes);
-    return fmemopen(const_cast<char*>(text.data()), text.size(), "rb");
-}
+/// What minizip reads, and writes, instead of a file.
+struct MemoryFile {
+    std::string_view content = {};
+    std::string written = {};
+    size_t at = 0;
 
-/// What is written instead of a file.
-struct Written {
-    char* data = nullptr;
-    size_t size = 0;
-
-    Written() = default;
-    ~Written() { std::free(data); }
-    Written(const Written&) = delete;
-    Written& operator=(const Written&) = delete;
-    Written(Written&&) = delete;
-    Written& operator=(Written&&) = delete;
+    [[nodiscard]] size_t size() const { return std::max(content.size(), written.size()); }
 };
 
+MemoryFile& of_stream(void* stream) {
+    return *static_cast<MemoryFile*>(stream);
+}
+
+void* open_bytes(void* bytes, const void* /*name*/, int /*mode*/) {
+    return std::make_unique<MemoryFile>(
+               MemoryFile{.content = *static_cast<const std::string_view*>(bytes)})
+        .release();
+}
+
+int close_bytes(void* /*bytes*/, void* stream) {
+    const std::unique_ptr<MemoryFile> file(static_cast<MemoryFile*>(stream));
+    return 0;
+}
+
 void* open_written(void* written, const void* /*name*/, int /*mode*/) {
-    auto& into = *static_cast<Written*>(written);
-    return open_memstream(&into.data, &into.size);
+    return written;
+}
+
+int close_written(void* /*written*/, void* /*stream*/) {
+    return 0;
+}
+
+uLong read_stream(void* /*opaque*/, void* stream, void* into, uLong size) {
+    MemoryFile& file = of_stream(stream);
+    const size_t count = file.at < file.content.size()
+                             ? file.content.copy(static_cast<char*>(into), size, file.at)
+                             : 0;
+    file.at += count;
+    return static_cast<uLong>(count);
+}
+
+uLong write_stream(void* /*opaque*/, void* stream, const void* from, uLong size) {
+    MemoryFile& file = of_stream(stream);
+    file.written.replace(file.at, size, static_cast<const char*>(from), size);
+    file.at += size;
+    return size;
+}
+
+ZPOS64_T place_in_stream(void* /*opaque*/, void* stream) {
+    return of_stream(stream).at;
+}
+
+/// @return 0, or -1 for a place outside
+long seek_in_stream(void* /*opaque*/, void* stream, ZPOS64_T offset, int origin) {
+    MemoryFile& file = of_stream(stream);
+    const size_t start = origin == ZLIB_FILEFUNC_SEEK_CUR   ? file.at
+                         : origin == ZLIB_FILEFUNC_SEEK_END ? file.size()
+                                                            : 0;
+    const size_t place = start + offset;  // which wraps around where the offset is negative
+    if (place > file.size()) {
+        return -1;
+    }
+    file.at = place;
+    return 0;
+}
+
+int no_error(void* /*opaque*/, void* /*stream*/) {
+    return 0;
+}
+
+zlib_filefunc64_def in_memory(open64_file_func open, close_file_func close, void* opaque) {
+    return {.zopen64_file = open,
+            .zread_file = read_stream,
+            .zwrite_file = write_stream,
+            .ztell64_file = place_in_stream,
+            .zseek64_file = seek_in_stream,
+            .zclose_file = close,
+            .zerror_file = no_error,
+            .opaque = opaque};
 }
 
 }  // namespace
@@ -50,10 +108,7 @@ void ZipArchive::Close::operator()(void* archive) const {
 
 ZipArchive::ZipArchive(std::string_view bytes, const std::string& file_name)
     : m_bytes(bytes), m_file_name(file_name) {
-    zlib_filefunc64_def functions;
-    fill_fopen64_filefunc(&functions);
-    functions.zopen64_file = open_bytes;
-    functions.opaque = &m_bytes;
+    zlib_filefunc64_def functions = in_memory(open_bytes, close_bytes, &m_bytes);
     m_archive.reset(unzOpen2_64("", &functions));
     unz_global_info64 info{};
     if (!m_archive || unzGetGlobalInfo64(m_archive.get(), &info) != UNZ_OK) {
@@ -99,11 +154,8 @@ std::optional<std::string> ZipArchive::part(const std::string& name) {
 }
 
 std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& files) {
-    Written written;
-    zlib_filefunc64_def functions;
-    fill_fopen64_filefunc(&functions);
-    functions.zopen64_file = open_written;
-    functions.opaque = &written;
+    MemoryFile file;
+    zlib_filefunc64_def functions = in_memory(open_written, close_written, &file);
     zipFile zip = zipOpen2_64("", APPEND_STATUS_CREATE, nullptr, &functions);
     bool is_good = zip != nullptr;
     for (const auto& [name, content] : files) {
@@ -122,7 +174,7 @@ std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& fi
     if (!is_good) {
         throw std::runtime_error("a ZIP archive cannot be made in memory");
     }
-    return {written.data, written.size};
+    return std::move(file.written);
 }
 
 void ZipArchive::fail(const std::string& what) const {

@@ -16,6 +16,11 @@
 #include <utility>
 #endif
 
+#ifdef _WIN32  // macros of the system's header, which oneTBB reads there
+#undef far
+#undef near
+#endif
+
 /// All that runs in parallel, on the threads of oneTBB. Where taut was built without it
 /// (TAUT_WITH_TBB), the same runs on the calling thread, one after the other.
 namespace taut {

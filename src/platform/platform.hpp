@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "taut/export/core.hpp"
 
 /// What the standard library does not offer: one source a platform, posix.cpp for Linux and macOS,
-/// wasi.cpp for WebAssembly.
+/// windows.cpp, and wasi.cpp for WebAssembly.
 namespace taut::platform {
 
 /// Of the machine [bytes].
@@ -26,6 +27,10 @@ TAUT_CORE_EXPORT void prefer_large_pages(void* memory, std::size_t bytes);
 
 /// Whether there is a process of that number on this machine.
 [[nodiscard]] TAUT_CORE_EXPORT bool process_runs(long process);
+
+/// As std::fopen(), whatever characters names have on the system.
+[[nodiscard]] TAUT_CORE_EXPORT std::FILE* open_stream(const std::filesystem::path& path,
+                                                      const char* mode);
 
 /// Makes an empty file with the mode that any new file gets.
 /// @return the error, such as std::errc::file_exists

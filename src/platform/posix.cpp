@@ -103,6 +103,10 @@ bool process_runs(long process) {
     return kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
 }
 
+std::FILE* open_stream(const std::filesystem::path& path, const char* mode) {
+    return std::fopen(path.c_str(), mode);
+}
+
 std::error_code make_new_file(const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) {

@@ -29,6 +29,10 @@ bool process_runs(long /*process*/) {
     return true;
 }
 
+std::FILE* open_stream(const std::filesystem::path& path, const char* mode) {
+    return std::fopen(path.c_str(), mode);
+}
+
 std::error_code make_new_file(const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
     if (file < 0) {
