@@ -43,8 +43,8 @@ wheel: app ## build wheels of the Python package for other machines, with all li
 	scripts/install_dependencies.sh build python
 	scripts/wheels.sh
 
-windows: build ## build the program for Windows, in build/windows/taut, and try it with Wine
-	scripts/install_dependencies.sh windows
+windows: build ## build the program and Python wheels for Windows, in build/windows, and try them with Wine
+	scripts/install_dependencies.sh python windows
 	scripts/windows.sh
 	scripts/check_windows.sh
 

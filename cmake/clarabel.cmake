@@ -50,15 +50,15 @@ if(TAUT_HAS_CLARABEL)
     if(TAUT_LINKER_EXCLUDES)
         set(TAUT_HIDE_CLARABEL LINKER:--exclude-libs,libclarabel_c.a)
     endif()
-    set(system pthread dl m)
+    set(TAUT_CLARABEL_SYSTEM pthread dl m)
     if(WIN32)
-        set(system advapi32 ws2_32 userenv ntdll)
+        set(TAUT_CLARABEL_SYSTEM advapi32 ws2_32 userenv ntdll)
     endif()
     add_library(taut::clarabel_c STATIC IMPORTED GLOBAL)
     set_target_properties(taut::clarabel_c PROPERTIES
         IMPORTED_LOCATION ${library}
         INTERFACE_INCLUDE_DIRECTORIES ${crate}/include
-        INTERFACE_LINK_LIBRARIES "${system}"
+        INTERFACE_LINK_LIBRARIES "${TAUT_CLARABEL_SYSTEM}"
         INTERFACE_LINK_OPTIONS "${TAUT_HIDE_CLARABEL}")
     add_dependencies(taut::clarabel_c taut_clarabel_c)
 endif()

@@ -52,7 +52,7 @@ root="$(place root < <(made_of && cat cmake/wasm/{toolchain.cmake,Platform/*,run
 hdf5="$(place hdf5 < <(echo "$root" && cat packaging/hdf5/{build.sh,Cargo.lock}))"
 find_rust || exit "$([[ "${1:-}" == --kept ]]; echo $?)"
 sources=(CMakeLists.txt CMakePresets.json LICENSE apps/taut cmake extern include src viewer)
-program="$(place program < <(echo "$root $hdf5 $rust" && find "${sources[@]}" -type f \
+program="$(place program < <(echo "$root $hdf5 $rust" && declare -f use_rust && find "${sources[@]}" -type f \
     -not -path '*/node_modules/*' -not -path 'viewer/app/*' -not -path 'viewer/tests/*' \
     -not -name build_app.mjs -not -name result_schema.ts -print0 | LC_ALL=C sort --zero-terminated | xargs --null sha256sum))"
 

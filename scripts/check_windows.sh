@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Runs the program of scripts/windows.sh with Wine, which is not Windows, in a folder whose name is not ASCII, and
-# compares what it finds and plans with what build/taut does.
+# compares what it finds and plans with what build/taut does. Where there is a wheel for Python 3.12, that identifies
+# and plans in a Python for Windows, too.
 # Usage: scripts/check_windows.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,33 +26,57 @@ for where in here there; do
     "$where" plan "Ł.json" result.json -o plan.json --csv turns.csv
     "$where" report result.json -o report.html
     "$where" export result.json --to xlsx -o result.xlsx
-    "$where" sample "Ł.json" --samples 100 -o samples.h5
-    "$where" train samples.h5 -o model.h5
+    "$where" sample "Ł.json" --samples 100 -o "Ł.h5"
+    "$where" train "Ł.h5" -o model.h5
     "$where" identify "Ł.json" survey.csv --noise 0.5mm --method gp --model model.h5 -o by_model.json
+    "$where" plan "Ł.json" result.json -o plan.json --csv turns.csv  # over the files of before
     # What is wrong is one line, and leaves no file.
     status=0
     "$where" identify "Ł.json" "none Ł.csv" -o none.json 2>said || status=$?
-    [[ "$status" == 2 && "$(cat said)" == *"none Ł.csv: cannot be read"* && ! -e none.json ]]
+    if [[ "$status" != 2 || "$(cat said)" != *"none Ł.csv: cannot be read"* || -e none.json ]]; then
+        echo "check_windows.sh: $where: exit code $status: $(cat said)" >&2
+        exit 1
+    fi
 done >"$folder/said"
 diff <(ls "$folder/here") <(ls "$folder/there")
 python3 - "$folder" <<'PYTHON'
 import json
-import math
 import sys
 
 
-def numbers(value):
+def values(value):
     if isinstance(value, dict):
-        return [n for key, part in value.items() if key not in ("run", "version") for n in numbers(part)]
-    if isinstance(value, list):
-        return [n for part in value for n in numbers(part)]
-    return [value] if isinstance(value, float) else []
+        return [v for key, part in value.items() if key not in ("run", "version") for v in values(part)]
+    return [v for part in value for v in values(part)] if isinstance(value, list) else [value]
+
+
+def difference(name, a, b):
+    if isinstance(a, float) and isinstance(b, float):
+        return abs(a - b) / max(abs(a), abs(b), 1e-6)
+    assert a == b, f"{name}: {a} here, {b} there"
+    return 0.0
 
 
 for name in ("Ł.json", "result.json", "plan.json", "by_model.json"):
-    here, there = (numbers(json.load(open(f"{sys.argv[1]}/{where}/{name}", encoding="utf-8"))) for where in ("here", "there"))
-    assert len(here) == len(there), f"{name}: {len(here)} and {len(there)} numbers"
-    largest = max(abs(a - b) / max(abs(a), abs(b), 1e-3) for a, b in zip(here, there))
-    print(f"{name}: {len(here)} numbers, the largest relative difference {largest:.1e}")
+    here, there = (values(json.load(open(f"{sys.argv[1]}/{where}/{name}", encoding="utf-8"))) for where in ("here", "there"))
+    assert len(here) == len(there), f"{name}: {len(here)} and {len(there)} values"
+    largest = max(map(difference, [name] * len(here), here, there))
+    print(f"{name}: {len(here)} values, the largest relative difference of a number {largest:.1e}")
     assert largest < 1e-3, name
 PYTHON
+
+wheels=("$root"/build/windows/wheels/*-cp312-abi3-*.whl)
+if [[ ! -e "${wheels[0]}" ]]; then
+    echo "check_windows.sh: no wheel for Python 3.12 and later: no wheel was tried"
+    exit 0
+fi
+python="$root/build/windows/python"
+rm -rf "$python"
+install=("$root/build/venv/uv/bin/uv" pip install --quiet --python-version 3.12 --python-platform x86_64-pc-windows-msvc
+    --no-deps --target "$python")
+"${install[@]}" --require-hashes -r "$root/scripts/requirements/windows.txt"
+"${install[@]}" "${wheels[0]}"
+printf 'python312.zip\n.\n' >"$python/python312._pth"
+# Wine hands Python no streams but pipes.
+WINEPATH="$(wine winepath -w "$python/taut")" wine "$python/python.exe" "$(wine winepath -w "$root/packaging/check_wheel.py")" \
+    </dev/null 2>&1 | cat

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # What is compiled here for other machines, for scripts that are called in the root: source scripts/cross.sh FOLDER,
-# of what is made on the way. The compiler is the Clang of the Python package ziglang; headers are Debian's, as are the
-# sources of libraries; those of pugixml and HDF5 come as scripts/requirements/app_sources.txt and packaging/hdf5
+# of what is made on the way. The compiler is the Clang of the Python package ziglang, but for Windows; headers are
+# Debian's, as are the sources of libraries; those of pugixml and HDF5 come as scripts/requirements/app_sources.txt and packaging/hdf5
 # pin them. What takes long is kept in ~/.cache/taut-app (XDG_CACHE_HOME) under a hash of all that it is made of,
 # for 30 days after it was last used.
 into="$PWD/$1"

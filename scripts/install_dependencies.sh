@@ -33,7 +33,7 @@ compilers=(clang-14 clang-16 clang-19 libc++-19-dev libc++abi-19-dev)
 # Besides Chromium, which the page for browsers works in.
 browsers=(firefox-esr)
 # For scripts/windows.sh; wine runs what that builds.
-windows=(g++-mingw-w64-x86-64-posix wine wine64 unzip zip)
+windows=(g++-mingw-w64-x86-64-posix wine wine64 unzip)
 # What earlier runs of .ci/run on this machine have compiled.
 ci=(ccache)
 cargo=cargo-web

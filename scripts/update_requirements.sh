@@ -7,8 +7,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/venv.sh uv
-for name in uv app build wheel lint docs test; do
+for name in uv app build wheel windows lint docs test; do
     oldest=3.11
+    [[ "$name" != windows ]] || oldest=3.12
     [[ "$name" != build ]] || oldest=3.9  # of the wheels
     options=(--quiet --upgrade --universal --python-version "$oldest" --no-annotate --no-header)
     [[ "$name" =~ ^(docs|test)$ ]] || options+=(--generate-hashes)

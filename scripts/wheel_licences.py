@@ -6,9 +6,10 @@
 Whose code that is comes from the build: the library that auditwheel brought along, the headers that the
 compiler read, and the crates of the conic solver. A licence that is not found is an error.
 
-Usage: wheel_licences.py WHEEL BUILD ZIGLANG ROOT HDF5   adds those of the build folder BUILD with these parts
-                                                         (scripts/wheels.sh), and checks
-       wheel_licences.py WHEEL                           checks
+Usage: wheel_licences.py WHEEL BUILD ZIGLANG ROOT HDF5       adds those of the build folder BUILD with these parts
+                                                             (scripts/wheels.sh), and checks
+       wheel_licences.py WHEEL BUILD mingw ROOT HDF5 RUST    the same for Windows (scripts/windows.sh)
+       wheel_licences.py WHEEL                               checks
 """
 
 import email
@@ -26,7 +27,7 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDER = "third-party"
 # What may come along. Another library is a decision: in a wheel it ages without the updates of the
 # system. Debian's HDF5, for one, would bring a network stack.
-LIBRARIES = re.compile(r"libscipy_openblas\b")
+LIBRARIES = re.compile(r"libscipy_openblas\b|libhdf5\.dll$")
 # A header of each package of Debian whose headers or sources are compiled in. pugixml's source comes from
 # elsewhere, under the licence that Debian has of it. Boost's asks for nothing of what a compiler made.
 HEADERS = (
@@ -41,6 +42,7 @@ HEADERS = (
     "zlib.h",
 )
 LINKED_HEADERS = ("metis.h", "nlopt.h", "oneapi/tbb/version.h")
+MINGW = (Path("/usr/lib/gcc/x86_64-w64-mingw32"), Path("/usr/share/mingw-w64"))
 PYTHON = re.compile(r"/include/python3\.\d+/")
 LICENCE = re.compile(r"(licen[cs]e|copying|copyright|notice|unlicense)", re.IGNORECASE)
 
@@ -142,10 +144,10 @@ def add_python_packages(notices, read):
         notices.add("headers", info.name.removesuffix(".dist-info"), text_of(files))
 
 
-def add_crates(notices, cargo):
+def add_crates(notices, cargo, target=""):
     """Of the crates that are linked: those that work while others are compiled are not."""
-    said = output_of(cargo, "metadata", "--locked", "--format-version=1", "--filter-platform",
-                     re.search(r"host: (.*)", output_of(cargo, "--version", "--verbose")).group(1),
+    target = target or re.search(r"host: (.*)", output_of(cargo, "-vV")).group(1)
+    said = output_of(cargo, "metadata", "--locked", "--format-version=1", "--filter-platform", target,
                      "--manifest-path", str(ROOT / "extern/clarabel_c/Cargo.toml"))  # fmt: skip
     metadata = json.loads(said)
     packages = {package["id"]: package for package in metadata["packages"]}
@@ -198,7 +200,8 @@ def problems(wheel):
         )
     found = []
     for name in sizes:
-        if ".so" in Path(name).name and name.split("/")[0].endswith(".libs"):
+        along = ".so" in Path(name).name and name.split("/")[0].endswith(".libs")
+        if along or name.endswith(".dll"):
             if name not in index:
                 found.append(f"{name}: no licence in the wheel")
             if not LIBRARIES.match(Path(name).name):
@@ -213,19 +216,32 @@ def problems(wheel):
     return [f"{wheel}: {problem}" for problem in found]
 
 
-def add(wheel, build, zig, root, hdf5):
+def add(wheel, build, zig, root, hdf5, rust=None):
+    """rust: of MinGW-w64, instead of zig."""
     notices = Notices()
+    hdf5_text = text_of(licence_files(hdf5 / "installed/share"))
     with zipfile.ZipFile(wheel) as archive:
         for name in archive.namelist():
-            if ".libs/libscipy_openblas" in name:
+            if Path(name).name.startswith("libscipy_openblas"):
                 notices.add(name, "OpenBLAS", text_of([root / "OpenBLAS.txt"]))
-    add_debian_libraries(notices, HEADERS + LINKED_HEADERS)
-    add_python_packages(notices, check_headers(build, (zig, root, hdf5)))
-    notices.add("library", "libc++", text_of([zig / "lib/libcxx/LICENSE.TXT"]))
-    notices.add("library", "HDF5", text_of(licence_files(hdf5 / "installed/share")))
-    cargo = re.search(r"TAUT_CARGO:FILEPATH=(.*)", (build / "CMakeCache.txt").read_text()).group(1)
-    add_crates(notices, cargo)
-    add_rust(notices, Path(cargo).with_name("rustc"))
+            if name.endswith("libhdf5.dll"):
+                notices.add(name, "HDF5", hdf5_text)
+    linked = [header for header in LINKED_HEADERS if not (rust and header == "metis.h")]
+    add_debian_libraries(notices, [*HEADERS, *linked])
+    read = check_headers(build, (*(MINGW if rust else [zig]), root, hdf5))
+    add_python_packages(notices, read)
+    notices.add("library", "HDF5", hdf5_text)
+    cache = (build / "CMakeCache.txt").read_text()
+    cargo = re.search(r"TAUT_CARGO:FILEPATH=(.*)", cache).group(1)
+    add_crates(notices, cargo, re.search(r"TAUT_CARGO_TARGET:STRING=(.*)", cache).group(1))
+    if rust:
+        for package in ("g++-mingw-w64-x86-64-posix", "mingw-w64-x86-64-dev"):
+            notices.add_debian("library", package)
+        copyright = rust / "usr/share/doc/libstd-rust-web-dev/copyright"
+        notices.add("crate", "rust-standard-library", text_of([copyright]))
+    else:
+        notices.add("library", "libc++", text_of([zig / "lib/libcxx/LICENSE.TXT"]))
+        add_rust(notices, Path(cargo).with_name("rustc"))
     with tempfile.TemporaryDirectory() as temporary:
         subprocess.run([sys.executable, "-m", "wheel", "unpack", wheel, "--dest", temporary],
                        check=True, stdout=subprocess.DEVNULL)  # fmt: skip
@@ -247,12 +263,12 @@ def add(wheel, build, zig, root, hdf5):
 
 
 def main():
-    if len(sys.argv) not in (2, 6):
+    if len(sys.argv) not in (2, 6, 7):
         print(__doc__, file=sys.stderr)
         return 2
     wheel = Path(sys.argv[1])
     try:
-        if len(sys.argv) == 6:
+        if len(sys.argv) > 2:
             add(wheel, *(Path(folder).resolve() for folder in sys.argv[2:]))
     except MissingLicenceError as missing:
         print(f"wheel_licences.py: {missing}", file=sys.stderr)

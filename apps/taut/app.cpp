@@ -15,12 +15,14 @@ struct AppOptions : CommonOptions {
     std::string output;
 };
 
-/// The page beside this program: where it is installed, or where scripts/app.sh leaves it.
+/// The page beside this program: where it is installed, in its folder on Windows, or where
+/// scripts/app.sh leaves it.
 std::filesystem::path app_page() {
     std::error_code error;
-    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    for (const char* place : {"../share/taut/taut.html", "../../../app/taut.html"}) {
-        if (!error && std::filesystem::exists(folder / place, error)) {
+    const std::filesystem::path program = program_file();
+    const std::filesystem::path folder = program.parent_path();
+    for (const char* place : {"../share/taut/taut.html", "taut.html", "../../../app/taut.html"}) {
+        if (!program.empty() && std::filesystem::exists(folder / place, error)) {
             return (folder / place).lexically_normal();
         }
     }

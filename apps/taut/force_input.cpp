@@ -268,10 +268,9 @@ std::vector<UncertainParameter> UncertainOptions::given(const CableNet& net,
 }
 
 std::vector<UncertainParameter> UncertainOptions::assumed(const CableNet& net,
-                                                          const std::string& net_file,
-                                                          const Forces& forces) const {
+                                                          const std::string& net_file) const {
     std::vector<UncertainParameter> all = given(net, net_file);
-    return assume_site() ? with_site_assumptions(net, std::move(all), measured_by(forces)) : all;
+    return assume_site() ? with_site_assumptions(net, std::move(all)) : all;
 }
 
 }  // namespace taut::app

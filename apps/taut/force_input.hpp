@@ -80,8 +80,7 @@ struct UncertainOptions {
                                                         const std::string& net_file) const;
     /// given() and, where assume_site(), with_site_assumptions().
     [[nodiscard]] std::vector<UncertainParameter> assumed(const CableNet& net,
-                                                          const std::string& net_file,
-                                                          const Forces& forces = {}) const;
+                                                          const std::string& net_file) const;
 };
 
 /// --uncertain NAME:WIDTH[@GROUP]|none, any number of times.

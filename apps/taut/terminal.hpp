@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,9 @@ inline constexpr int wrong_input = 2;
 /// rather than end the program. Where an exception cannot be thrown on, for want of memory, the
 /// program ends with a line and exit code 1. Call first.
 void prepare_streams();
+
+/// The file of this program; empty where the system does not say.
+[[nodiscard]] std::filesystem::path program_file();
 
 /// Ends the program, its streams flushed, without waiting for the threads of libraries: one may try
 /// for ever to get memory that a limit does not leave.

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -123,6 +124,11 @@ void end_without_memory() {
         poll(nullptr, 0, long_enough);
     }
     end_at_once(last_word_is_taken ? "" : line.view(), numerical_failure);
+}
+
+std::filesystem::path program_file() {
+    std::error_code error;
+    return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
 void leave(int code) {

@@ -4,6 +4,7 @@
 // WebAssembly has one thread and no signals: whoever runs it ends it from outside.
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 #include "memory_limit.hpp"
@@ -20,6 +21,10 @@ void end_without_memory() {
     std::fprintf(stderr, "taut: error: not enough memory%.*s\n", static_cast<int>(note.size()),
                  note.data());
     leave(numerical_failure);
+}
+
+std::filesystem::path program_file() {
+    return {};
 }
 
 void leave(int code) {

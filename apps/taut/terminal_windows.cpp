@@ -9,10 +9,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
 #include <string_view>
 
-#include "memory_limit.hpp"
 #include "taut/files/file.hpp"
 
 namespace taut::app {
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int standard_error = 2;
 std::atomic<bool> last_word_is_taken{false};
+UINT earlier_code_page = 0;  ///< of the console, which outlives this program
 std::atomic<bool> orderly{false};
 std::atomic<bool> requested{false};
 
@@ -28,8 +30,15 @@ void write_now(std::string_view line) {
         _write(standard_error, line.data(), static_cast<unsigned>(line.size()));
 }
 
+void restore_console() {
+    if (earlier_code_page != 0) {
+        SetConsoleOutputCP(earlier_code_page);
+    }
+}
+
 [[noreturn]] void end_at_once(std::string_view line, int code) {
     remove_temporary_files();
+    restore_console();
     write_now(line);
     std::_Exit(code);
 }
@@ -50,9 +59,12 @@ void write_now(std::string_view line) {
 }
 
 /// Runs in a thread of its own, at Ctrl-C, Ctrl-Break and when the console is closed.
-BOOL WINAPI hand_over(DWORD /*event*/) {
+BOOL WINAPI hand_over(DWORD event) {
     if (!orderly || requested.exchange(true)) {
         end_at_once(is_silent() ? "" : "taut: error: interrupted\n", interrupted);
+    }
+    if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) {
+        Sleep(INFINITE);  // Windows ends the program when this returns, or some seconds later
     }
     return TRUE;
 }
@@ -60,6 +72,7 @@ BOOL WINAPI hand_over(DWORD /*event*/) {
 }  // namespace
 
 void prepare_streams() {
+    earlier_code_page = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
     // Colours and lines that are replaced, as other systems have them.
     const HANDLE console = GetStdHandle(STD_ERROR_HANDLE);
@@ -75,15 +88,20 @@ void take_last_word() noexcept {
 
 void end_without_memory() {
     if (!last_word_is_taken) {
-        write_now("taut: error: not enough memory");
-        write_now(memory_limit_note());
-        write_now("\n");
+        write_now("taut: error: not enough memory\n");  // --memory is for Linux
     }
     end_at_once("", numerical_failure);
 }
 
+std::filesystem::path program_file() {
+    std::wstring name(32'768, L'\0');  // the longest that Windows has
+    name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));
+    return name;
+}
+
 void leave(int code) {
     std::fflush(nullptr);
+    restore_console();
     std::_Exit(code);
 }
 

@@ -51,6 +51,18 @@ macro(taut_provide_package method package)
         set_target_properties(${package}::${package} PROPERTIES
             INTERFACE_LINK_LIBRARIES ${openblas} INTERFACE_COMPILE_DEFINITIONS "${renamed}")
         set(${package}_FOUND TRUE)
+    elseif("${package}" STREQUAL "Python" AND TAUT_PYTHON)
+        # That for which the module is: its headers and its library. Python_EXECUTABLE and its version are given.
+        add_executable(Python::Interpreter IMPORTED GLOBAL)
+        set_target_properties(Python::Interpreter PROPERTIES IMPORTED_LOCATION ${Python_EXECUTABLE})
+        foreach(library Module SABIModule)
+            add_library(Python::${library} INTERFACE IMPORTED GLOBAL)
+            set_target_properties(Python::${library} PROPERTIES
+                INTERFACE_INCLUDE_DIRECTORIES ${TAUT_PYTHON}/include INTERFACE_LINK_LIBRARIES ${TAUT_PYTHON}/libpython.a)
+        endforeach()
+        set(Python_INCLUDE_DIRS ${TAUT_PYTHON}/include)
+        set(Python_INTERPRETER_ID Python)
+        set(Python_FOUND TRUE)
     endif()
 endmacro()
 cmake_language(SET_DEPENDENCY_PROVIDER taut_provide_package SUPPORTED_METHODS FIND_PACKAGE)

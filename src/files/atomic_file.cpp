@@ -46,10 +46,16 @@ std::filesystem::path directory_of(const std::filesystem::path& file) {
     return directory.empty() ? "." : directory;
 }
 
-/// How the names of a target's temporary files begin. The name of a file has at most 255 bytes.
+/// How the names of a target's temporary files begin. The name of a file has at most 255 bytes; no
+/// character is cut.
 std::string temporary_prefix(const std::filesystem::path& target) {
-    constexpr size_t longest = 200;
-    return fmt::format(".{}.", target.filename().string().substr(0, longest));
+    const std::string name = target.filename().string();
+    size_t length = std::min<size_t>(name.size(), 200);
+    const auto goes_on = [&](char byte) { return (static_cast<unsigned>(byte) & 0xC0U) == 0x80U; };
+    while (length > 0 && length < name.size() && goes_on(name[length])) {
+        --length;
+    }
+    return fmt::format(".{}.", name.substr(0, length));
 }
 
 /// The process of "PROCESS-NUMBER.tmp"; 0 of any other text.
@@ -178,14 +184,16 @@ void AtomicFile::commit() {
 std::vector<std::filesystem::path> left_temporary_files(const std::filesystem::path& target) {
     const std::filesystem::path file = follow_links(target);
     const std::string prefix = temporary_prefix(file);
+    const std::filesystem::path beginning(prefix);
     std::vector<std::filesystem::path> left;
     std::error_code error;
     for (std::filesystem::directory_iterator entry(directory_of(file), error), end;
          !error && entry != end; entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (!name.starts_with(prefix)) {
+        // Windows has names that are no text: those of others are not asked for it.
+        if (!entry->path().filename().native().starts_with(beginning.native())) {
             continue;
         }
+        const std::string name = entry->path().filename().string();
         const long process = process_of_temporary(std::string_view(name).substr(prefix.size()));
         if (process > 0 && !platform::process_runs(process)) {
             left.push_back(entry->path());

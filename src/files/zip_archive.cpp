@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -32,10 +33,9 @@ MemoryFile& of_stream(void* stream) {
     return *static_cast<MemoryFile*>(stream);
 }
 
+/// Like the others, throws nothing through minizip.
 void* open_bytes(void* bytes, const void* /*name*/, int /*mode*/) {
-    return std::make_unique<MemoryFile>(
-               MemoryFile{.content = *static_cast<const std::string_view*>(bytes)})
-        .release();
+    return new (std::nothrow) MemoryFile{.content = *static_cast<const std::string_view*>(bytes)};
 }
 
 int close_bytes(void* /*bytes*/, void* stream) {
@@ -62,7 +62,11 @@ uLong read_stream(void* /*opaque*/, void* stream, void* into, uLong size) {
 
 uLong write_stream(void* /*opaque*/, void* stream, const void* from, uLong size) {
     MemoryFile& file = of_stream(stream);
-    file.written.replace(file.at, size, static_cast<const char*>(from), size);
+    try {
+        file.written.replace(file.at, size, static_cast<const char*>(from), size);
+    } catch (const std::bad_alloc&) {
+        return 0;
+    }
     file.at += size;
     return size;
 }
@@ -74,14 +78,14 @@ ZPOS64_T place_in_stream(void* /*opaque*/, void* stream) {
 /// @return 0, or -1 for a place outside
 long seek_in_stream(void* /*opaque*/, void* stream, ZPOS64_T offset, int origin) {
     MemoryFile& file = of_stream(stream);
-    const size_t start = origin == ZLIB_FILEFUNC_SEEK_CUR   ? file.at
-                         : origin == ZLIB_FILEFUNC_SEEK_END ? file.size()
-                                                            : 0;
-    const size_t place = start + offset;  // which wraps around where the offset is negative
+    const ZPOS64_T start = origin == ZLIB_FILEFUNC_SEEK_CUR   ? file.at
+                           : origin == ZLIB_FILEFUNC_SEEK_END ? file.size()
+                                                              : 0;
+    const ZPOS64_T place = start + offset;  // which wraps around where the offset is negative
     if (place > file.size()) {
         return -1;
     }
-    file.at = place;
+    file.at = static_cast<size_t>(place);
     return 0;
 }
 

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <aclapi.h>
+#include <fcntl.h>
+#include <io.h>
 #include <windows.h>
 
+#include <cerrno>
 #include <codecvt>
 #include <locale>
 #include <memory>
+#include <string>
 #include <type_traits>
 
 #include "platform/platform.hpp"
@@ -105,8 +109,22 @@ bool process_runs(long process) {
     return GetExitCodeProcess(handle.get(), &code) != 0 && code == STILL_ACTIVE;
 }
 
+/// A file that is written may be removed meanwhile, as when the program is interrupted.
 std::FILE* open_stream(const std::filesystem::path& path, const char* mode) {
-    return _wfopen(path.c_str(), std::filesystem::path(mode).c_str());
+    if (*mode == 'r') {
+        return _wfopen(path.c_str(), std::filesystem::path(mode).c_str());
+    }
+    Handle file = open(path, GENERIC_WRITE, CREATE_ALWAYS);
+    if (!file) {
+        errno = error_of(GetLastError()).default_error_condition().value();
+        return nullptr;
+    }
+    const int number = _open_osfhandle(reinterpret_cast<intptr_t>(file.get()), _O_BINARY);
+    if (number < 0) {
+        return nullptr;
+    }
+    static_cast<void>(file.release());
+    return _fdopen(number, mode);
 }
 
 std::error_code make_new_file(const std::filesystem::path& path) {
@@ -115,10 +133,34 @@ std::error_code make_new_file(const std::filesystem::path& path) {
 
 bool is_writable(const std::filesystem::path& path) {
     const DWORD attributes = GetFileAttributesW(path.c_str());
-    return attributes != INVALID_FILE_ATTRIBUTES && ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ||
-                                                     ((attributes & FILE_ATTRIBUTE_READONLY) == 0 &&
-                                                      open(path, GENERIC_WRITE, OPEN_EXISTING)));
+    return attributes != INVALID_FILE_ATTRIBUTES &&
+           ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ||
+            ((attributes & FILE_ATTRIBUTE_READONLY) == 0 &&
+                 open(path, GENERIC_WRITE, OPEN_EXISTING) ||
+             GetLastError() == ERROR_SHARING_VIOLATION));
 }
+
+namespace {
+
+/// Whether a list of access rights has any that a new file in that folder would not inherit.
+bool has_own_rights(PSECURITY_DESCRIPTOR descriptor, PACL list) {
+    SECURITY_DESCRIPTOR_CONTROL control = 0;
+    DWORD revision = 0;
+    if (GetSecurityDescriptorControl(descriptor, &control, &revision) != 0 &&
+        (control & SE_DACL_PROTECTED) != 0) {
+        return true;
+    }
+    for (DWORD i = 0; list != nullptr && i < list->AceCount; ++i) {
+        void* entry = nullptr;
+        if (GetAce(list, i, &entry) != 0 &&
+            (static_cast<ACE_HEADER*>(entry)->AceFlags & INHERITED_ACE) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
 
 std::error_code copy_access(const std::filesystem::path& from, const std::filesystem::path& to) {
     PACL list = nullptr;
@@ -126,9 +168,11 @@ std::error_code copy_access(const std::filesystem::path& from, const std::filesy
     DWORD error = GetNamedSecurityInfoW(from.c_str(), SE_FILE_OBJECT, DACL_SECURITY_INFORMATION,
                                         nullptr, nullptr, &list, nullptr, &descriptor);
     if (error == ERROR_SUCCESS) {
-        std::wstring name = to.native();
-        error = SetNamedSecurityInfoW(name.data(), SE_FILE_OBJECT, DACL_SECURITY_INFORMATION,
-                                      nullptr, nullptr, list, nullptr);
+        if (has_own_rights(descriptor, list)) {
+            std::wstring name = to.native();
+            error = SetNamedSecurityInfoW(name.data(), SE_FILE_OBJECT, DACL_SECURITY_INFORMATION,
+                                          nullptr, nullptr, list, nullptr);
+        }
         LocalFree(descriptor);
     }
     // Not every file system keeps such lists.

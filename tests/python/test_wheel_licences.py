@@ -24,6 +24,7 @@ GOOD = {
     f"{INFO}/METADATA": "Name: taut\nLicense-File: third-party/OpenBLAS.txt\n\nLong text\n",
 }
 CURL = "taut.libs/libcurl-0123abcd.so.4"
+DLL = "taut/libcurl.dll"
 
 
 @pytest.mark.parametrize(
@@ -34,8 +35,16 @@ CURL = "taut.libs/libcurl-0123abcd.so.4"
         ({f"{THERE}/OpenBLAS.txt": ""}, ["OpenBLAS.txt: missing or empty"]),
         ({f"{INFO}/METADATA": "Name: taut\n\n"}, ["OpenBLAS.txt: METADATA has no License-File"]),
         ({CURL: "code"}, [f"{CURL}: no licence", f"{CURL}: not among the libraries"]),
+        ({DLL: "code"}, [f"{DLL}: no licence", f"{DLL}: not among the libraries"]),
     ],
-    ids=["complete", "no index", "empty licence", "not in the metadata", "another library"],
+    ids=[
+        "complete",
+        "no index",
+        "empty licence",
+        "not in the metadata",
+        "another library",
+        "of Windows",
+    ],
 )
 def test_a_wheel_is_held_to_the_licences_of_what_is_in_it(tmp_path, change, expected):
     wheel = tmp_path / "taut-1-py3-none-any.whl"
