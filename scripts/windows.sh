@@ -73,7 +73,7 @@ prepare_python() { # python library OPTION...
     x86_64-w64-mingw32-dlltool --input-def "$folder/names.def" --output-lib "$folder/libpython.a"
 }
 
-build taut_app -DTAUT_BUILD_PYTHON=OFF
+build taut_app --fresh -DTAUT_BUILD_PYTHON=OFF
 rm -rf "$into"/{taut,wheels,licences}
 mkdir -p "$into"/{taut,wheels}
 cp "$into/program/apps/taut/taut.exe" "$root"/bin/*.dll "$hdf5"/installed/bin/*.dll "$into/taut"

@@ -133,11 +133,11 @@ std::error_code make_new_file(const std::filesystem::path& path) {
 
 bool is_writable(const std::filesystem::path& path) {
     const DWORD attributes = GetFileAttributesW(path.c_str());
-    return attributes != INVALID_FILE_ATTRIBUTES &&
-           ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ||
-            ((attributes & FILE_ATTRIBUTE_READONLY) == 0 &&
-                 open(path, GENERIC_WRITE, OPEN_EXISTING) ||
-             GetLastError() == ERROR_SHARING_VIOLATION));
+    if (attributes == INVALID_FILE_ATTRIBUTES || (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0) {
+        return attributes != INVALID_FILE_ATTRIBUTES;
+    }
+    return (attributes & FILE_ATTRIBUTE_READONLY) == 0 &&
+           (open(path, GENERIC_WRITE, OPEN_EXISTING) || GetLastError() == ERROR_SHARING_VIOLATION);
 }
 
 namespace {
