@@ -46,7 +46,7 @@ import sys
 
 def values(value):
     if isinstance(value, dict):
-        return [v for key, part in value.items() if key not in ("run", "version") for v in values(part)]
+        return [v for part in value.values() for v in values(part)]
     return [v for part in value for v in values(part)] if isinstance(value, list) else [value]
 
 
@@ -57,8 +57,15 @@ def difference(name, a, b):
     return 0.0
 
 
+def read(where, name):
+    document = json.load(open(f"{sys.argv[1]}/{where}/{name}", encoding="utf-8"))
+    document.pop("date", None)
+    document.get("draws", {}).pop("fingerprint", None)  # of the last bits
+    return values(document)
+
+
 for name in ("Ł.json", "result.json", "plan.json", "by_model.json"):
-    here, there = (values(json.load(open(f"{sys.argv[1]}/{where}/{name}", encoding="utf-8"))) for where in ("here", "there"))
+    here, there = read("here", name), read("there", name)
     assert len(here) == len(there), f"{name}: {len(here)} and {len(there)} values"
     largest = max(map(difference, [name] * len(here), here, there))
     print(f"{name}: {len(here)} values, the largest relative difference of a number {largest:.1e}")

@@ -33,22 +33,10 @@ MemoryFile& of_stream(void* stream) {
     return *static_cast<MemoryFile*>(stream);
 }
 
-/// Like the others, throws nothing through minizip.
-void* open_bytes(void* bytes, const void* /*name*/, int /*mode*/) {
-    return new (std::nothrow) MemoryFile{.content = *static_cast<const std::string_view*>(bytes)};
-}
+// What minizip calls throws nothing through it.
 
-int close_bytes(void* /*bytes*/, void* stream) {
-    const std::unique_ptr<MemoryFile> file(static_cast<MemoryFile*>(stream));
-    return 0;
-}
-
-void* open_written(void* written, const void* /*name*/, int /*mode*/) {
-    return written;
-}
-
-int close_written(void* /*written*/, void* /*stream*/) {
-    return 0;
+void* opened(void* file, const void* /*name*/, int /*mode*/) {
+    return file;
 }
 
 uLong read_stream(void* /*opaque*/, void* stream, void* into, uLong size) {
@@ -89,19 +77,20 @@ long seek_in_stream(void* /*opaque*/, void* stream, ZPOS64_T offset, int origin)
     return 0;
 }
 
-int no_error(void* /*opaque*/, void* /*stream*/) {
+/// Nothing is to be closed, and no error is kept.
+int succeed(void* /*opaque*/, void* /*stream*/) {
     return 0;
 }
 
-zlib_filefunc64_def in_memory(open64_file_func open, close_file_func close, void* opaque) {
-    return {.zopen64_file = open,
+zlib_filefunc64_def functions_of(MemoryFile& file) {
+    return {.zopen64_file = opened,
             .zread_file = read_stream,
             .zwrite_file = write_stream,
             .ztell64_file = place_in_stream,
             .zseek64_file = seek_in_stream,
-            .zclose_file = close,
-            .zerror_file = no_error,
-            .opaque = opaque};
+            .zclose_file = succeed,
+            .zerror_file = succeed,
+            .opaque = &file};
 }
 
 }  // namespace
@@ -111,8 +100,10 @@ void ZipArchive::Close::operator()(void* archive) const {
 }
 
 ZipArchive::ZipArchive(std::string_view bytes, const std::string& file_name)
-    : m_bytes(bytes), m_file_name(file_name) {
-    zlib_filefunc64_def functions = in_memory(open_bytes, close_bytes, &m_bytes);
+    : m_file_name(file_name) {
+    const auto file = std::make_shared<MemoryFile>(MemoryFile{.content = bytes});
+    m_file = file;
+    zlib_filefunc64_def functions = functions_of(*file);
     m_archive.reset(unzOpen2_64("", &functions));
     unz_global_info64 info{};
     if (!m_archive || unzGetGlobalInfo64(m_archive.get(), &info) != UNZ_OK) {
@@ -159,7 +150,7 @@ std::optional<std::string> ZipArchive::part(const std::string& name) {
 
 std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& files) {
     MemoryFile file;
-    zlib_filefunc64_def functions = in_memory(open_written, close_written, &file);
+    zlib_filefunc64_def functions = functions_of(file);
     zipFile zip = zipOpen2_64("", APPEND_STATUS_CREATE, nullptr, &functions);
     bool is_good = zip != nullptr;
     for (const auto& [name, content] : files) {

@@ -29,8 +29,8 @@ private:
 
     [[noreturn]] void fail(const std::string& what) const;
 
-    std::string_view m_bytes;
     const std::string& m_file_name;
+    std::shared_ptr<void> m_file;  ///< what minizip reads
     std::unique_ptr<void, Close> m_archive;
     size_t m_unpacked = 0;
 };

@@ -180,18 +180,6 @@ std::error_code copy_access(const std::filesystem::path& from, const std::filesy
                                                                   : error_of(error);
 }
 
-NamelessFile::NamelessFile(const std::filesystem::path& /*directory*/) {}
-
-NamelessFile::~NamelessFile() = default;
-
-std::filesystem::path NamelessFile::path() const {
-    return {};
-}
-
-std::error_code NamelessFile::give_name(const std::filesystem::path& /*name*/) const {
-    return std::make_error_code(std::errc::function_not_supported);
-}
-
 std::error_code flush_file(const std::filesystem::path& path) {
     const Handle file = open(path, GENERIC_WRITE, OPEN_EXISTING);
     return file && FlushFileBuffers(file.get()) != 0 ? std::error_code() : error_of(GetLastError());
