@@ -61,7 +61,7 @@ static void count(void) {
         if (file) { fprintf(file, "%ld\n", atomic_load(&calls)); fclose(file); }
     }
 }
-void _exit(int code) {
+void _Exit(int code) {
     count();
     syscall(SYS_exit_group, code);
     __builtin_unreachable();
