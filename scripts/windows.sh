@@ -65,9 +65,10 @@ prepare_python() { # python library OPTION...
     cp packaging/windows/pyconfig.h "$folder/include"
     {
         printf 'LIBRARY %s\nEXPORTS\n' "$2"
-        x86_64-w64-mingw32-gcc-posix -E -P -I "$folder/include" -include Python.h "${@:3}" -x c /dev/null | tr '\n' ' ' |
+        x86_64-w64-mingw32-gcc-posix -E -P -I "$folder/include" -include Python.h -include frameobject.h "${@:3}" -x c /dev/null | tr '\n' ' ' |
             grep --only-matching --perl-regexp '__attribute__ ?\(\(dllimport\)\)\K[^;{]*' |
-            sed -E 's/ *__attribute__ *\(\([^)]*\)\)//g; s/^[^(]*\b(_?Py[A-Za-z_0-9]*) *\(.*/\1/; s/^.*\b(_?Py[A-Za-z_0-9]*) *(\[.*)?$/\1/' |
+            sed -E 's/ *__attribute__ *\(\([^)]*\)\)//g; s/^[^(]*\b(_?Py[A-Za-z_0-9]*) *\(.*/\1/; t; s/,/\n/g' |
+            sed -E 's/^.*\b(_?Py[A-Za-z_0-9]*) *(\[.*)?$/\1/' |
             grep --extended-regexp '^_?Py[A-Za-z_0-9]*$' | sort --unique
     } >"$folder/names.def"
     x86_64-w64-mingw32-dlltool --input-def "$folder/names.def" --output-lib "$folder/libpython.a"
@@ -100,7 +101,7 @@ for version in $(printf '%s\n' "${versions[@]}" | sort --unique --version-sort);
     fi
     rm -f "$into/program"/python/*.pyd
     build taut_python -DTAUT_BUILD_PYTHON=ON "-DTAUT_PYTHON=$into/program/for_python" "-DPython_EXECUTABLE=$python" "-DPython_VERSION=$version" \
-        "-DPython_VERSION_MAJOR=${version%.*}" "-DPython_VERSION_MINOR=${version#*.}" -DPython_SOABI= -DPython_SOSABI= \
+        "-DPython_VERSION_MAJOR=${version%.*}" "-DPython_VERSION_MINOR=${version#*.}" -DPython_SOABI= -DPython_SOSABI= -DNB_SUFFIX=.pyd -DNB_SUFFIX_S=.pyd \
         "-Dnanobind_DIR=$("$python" -m nanobind --cmake_dir)" -DSKBUILD_SCRIPTS_DIR=scripts -DSKBUILD_DATA_DIR=data
     build/venv/build/bin/python scripts/windows_wheel.py "$native" "$into"/program/python/_taut*.pyd "$into/taut" \
         "$abi-win_amd64" "$into/wheels"
