@@ -42,20 +42,28 @@ for define in "${toolchain[@]}" "-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES=$PWD/cmake/c
     settings+=(-C "cmake.define.${define#-D}")
 done
 rm -rf "$wheels"
-versions=(3.9 3.10 3.11)
+versions=()
+for version in 3.9 3.10 3.11; do
+    ! "python$version" --version &>/dev/null || versions+=("$version")
+done
 for version in 3.12 3.13 3.14; do
     if "python$version" --version &>/dev/null; then
         versions+=("$version")
         break
     fi
 done
+# By the CMake of the last, which needs a newer one than Debian's: what another compiled is compiled anew.
+last="${versions[-1]}"
+scripts/venv.sh build "$last"
+mkdir -p "$into/cmake"
+rm -f "$into/cmake/cmake"
+[[ ! -e build/venv/build-$last/bin/cmake ]] || ln -s "$PWD/build/venv/build-$last/bin/cmake" "$into/cmake"
 for version in "${versions[@]}"; do
-    "python$version" --version &>/dev/null || continue
     scripts/venv.sh build "$version"
     tools="$PWD/build/venv/build-$version/bin"
     rm -rf "$into/dist"
     rm -f "$into/program/CMakeCache.txt"  # which knows another Python
-    if ! PKG_CONFIG_LIBDIR="$hdf5/installed/lib/pkgconfig:$root/lib/pkgconfig" build/venv/uv/bin/uv build --wheel \
+    if ! PATH="$into/cmake:$PATH" PKG_CONFIG_LIBDIR="$hdf5/installed/lib/pkgconfig:$root/lib/pkgconfig" build/venv/uv/bin/uv build --wheel \
         --python "$tools/python" --no-build-isolation --out-dir "$into/dist" -C "build-dir=$into/program" \
         "${settings[@]}" &>"$into/build.log"; then
         cat "$into/build.log" >&2
