@@ -117,10 +117,11 @@ void bind_predicted_precision(nb::module_& module) {
            const std::vector<std::string>& uncertain) {
             const double noise = length_given(given_noise, "noise");
             const Survey survey = planned_survey(net, targets, noise);
-            return without_lock([&] {
+            return interruptible(nb::none(), [&](const Progress& progress) {
                 return predicted_precision(net, survey.form, survey, parse_length_prior(prior),
                                            {.uncertain = uncertain_given(net, uncertain),
-                                            .assume_site = assumes_site(uncertain)});
+                                            .assume_site = assumes_site(uncertain)},
+                                           progress);
             });
         },
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
@@ -177,7 +178,7 @@ void bind_suggestions(nb::module_& module) {
             const Survey survey = planned_survey(net, targets, noise);
             const double hung = force_given(load, "load");
             const double free_std = length_given(free_length_std, "free_length_std");
-            return without_lock([&] {
+            return interruptible(nb::none(), [&](const Progress& progress) {
                 SuggestOptions options{.quantity = parse_sought_quantity(quantity),
                                        .load = hung,
                                        .frequency_std = frequency_noise,
@@ -188,7 +189,8 @@ void bind_suggestions(nb::module_& module) {
                     options.costs[parse_measurement_kind(kind)] = cost;
                 }
                 return suggested_measurements(net, survey.form, survey, parse_length_prior(prior),
-                                              {}, uncertain_given(net, uncertain), options);
+                                              {}, uncertain_given(net, uncertain), options,
+                                              progress);
             });
         },
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,

@@ -116,10 +116,12 @@ void check(const SuggestOptions& options) {
 /// All measurements that may be made, and why others may not.
 class Candidates {
 public:
-    Candidates(const PlannedFit& planned, const Survey& survey, const SuggestOptions& options)
+    Candidates(const PlannedFit& planned, const Survey& survey, const SuggestOptions& options,
+               const Progress& progress)
         : m_planned(planned),
           m_survey(survey),
           m_options(options),
+          m_progress(progress),
           m_tensions(tension_rates(planned.model(), planned.iterate())) {
         add_cells();
         if (const Eigen::VectorXd& mass = net().data().mass; mass.size() > 0 && mass.any()) {
@@ -271,6 +273,7 @@ private:
         const std::vector<int> nodes = nodes_to_load(m_planned);
         std::vector<std::optional<LoadResponse>> responses(nodes.size());
         parallel_for(size_t{0}, nodes.size(), [&](size_t k) {
+            m_progress.throw_if_stopped();
             responses[k] = response_to_load(m_planned, nodes[k], load, m_survey);
         });
         int refused = 0;
@@ -297,6 +300,7 @@ private:
     const PlannedFit& m_planned;
     const Survey& m_survey;
     const SuggestOptions& m_options;
+    const Progress& m_progress;
     Rates m_tensions;
 };
 
@@ -401,7 +405,8 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
                                               const Survey& survey, const LengthPrior& prior,
                                               const Forces& forces,
                                               const std::vector<UncertainParameter>& uncertain,
-                                              const SuggestOptions& options) {
+                                              const SuggestOptions& options,
+                                              const Progress& progress) {
     check(options);
     if (survey.is_exact()) {
         throw std::invalid_argument(
@@ -420,7 +425,7 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
         options.assume_site
             ? with_site_assumptions(net, uncertain, {.by_cells = true, .by_loads = true})
             : uncertain);
-    Candidates candidates(planned, survey, options);
+    Candidates candidates(planned, survey, options, progress);
     if (!(mean_weights(net).dot(planned.tensions()) > 0.0)) {
         throw std::invalid_argument(
             "measurements are suggested for nets with cables in tension: this one has none");
@@ -437,14 +442,17 @@ MeasurementSuggestions suggested_measurements(const CableNet& net, const Points&
         return found == options.costs.end() ? 1.0 : found->second;
     };
     for (Candidate& one : candidates.all) {
+        progress.throw_if_stopped();
         one.start(update.covariance());
     }
     constexpr double least_gain = 0.01;
     double total_cost = 0.0;
     while (std::ssize(result.steps) < options.most && !candidates.all.empty()) {
         std::vector<double> left(candidates.all.size());
-        parallel_for(size_t{0}, left.size(),
-                     [&](size_t k) { left[k] = update.std_with(candidates.all[k]); });
+        parallel_for(size_t{0}, left.size(), [&](size_t k) {
+            progress.throw_if_stopped();
+            left[k] = update.std_with(candidates.all[k]);
+        });
         std::optional<size_t> best;
         double best_worth = 0.0;
         for (size_t k = 0; k < left.size(); ++k) {

@@ -6,6 +6,7 @@
 
 #include "taut/estimation/edge_status.hpp"
 #include "taut/export/core.hpp"
+#include "taut/progress.hpp"
 #include "taut/sampling/length_prior.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
@@ -63,13 +64,15 @@ struct PredictOptions {
 /// this form.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
+/// @param progress asked whether to stop; gets no reports
+/// @throws Interrupted where a stop was requested
 /// @throws std::invalid_argument for a form of the wrong size or not finite, as
 ///   LengthPrior::check(), check_forces(), check_uncertain_parameters(), and where the net has no
 ///   interior edge
 /// @throws SurveyError as check_survey(), and where the survey is exact and not whole
 /// @throws std::runtime_error where the statics are singular at this form
-[[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision
-predicted_precision(const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
-                    const LengthPrior& prior, const PredictOptions& options = {});
+[[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision predicted_precision(
+    const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
+    const LengthPrior& prior, const PredictOptions& options = {}, const Progress& progress = {});
 
 }  // namespace taut

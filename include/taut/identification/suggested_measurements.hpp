@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "taut/export/core.hpp"
+#include "taut/progress.hpp"
 #include "taut/sampling/length_prior.hpp"
 #include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
@@ -87,6 +88,8 @@ struct MeasurementSuggestions {
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
 /// @param forces that are measured anyhow; the tensions are not used
+/// @param progress asked whether to stop; gets no reports
+/// @throws Interrupted where a stop was requested
 /// @throws std::invalid_argument as predicted_precision(); for a survey without noise; for costs
 /// and standard deviations that
 ///   are not positive and finite (free_length_std: negative), a negative load, fewer than one
@@ -96,6 +99,6 @@ struct MeasurementSuggestions {
 [[nodiscard]] TAUT_CORE_EXPORT MeasurementSuggestions suggested_measurements(
     const CableNet& net, const Points& form, const Survey& survey, const LengthPrior& prior,
     const Forces& forces, const std::vector<UncertainParameter>& uncertain,
-    const SuggestOptions& options = {});
+    const SuggestOptions& options = {}, const Progress& progress = {});
 
 }  // namespace taut
