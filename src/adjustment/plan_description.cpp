@@ -77,9 +77,10 @@ void describe_drawn_tensions(Plan& plan, const CableNet& net, const Eigen::Matri
     plan.tension_upper.resize(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
         const DrawnEstimate tension =
-            estimate_of(forces.row(e)
-                            .unaryExpr([&](double force) { return carried(net, e, force); })
-                            .transpose());
+            tension_of(net, e,
+                       forces.row(e)
+                           .unaryExpr([&](double force) { return carried(net, e, force); })
+                           .transpose());
         plan.tension_lower(e) = tension.lower;
         plan.tension_upper(e) = tension.upper;
     }

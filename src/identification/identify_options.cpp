@@ -166,10 +166,10 @@ void check_draws(const CableNet& net, std::int64_t draws) {
         2.0 * sizeof(double) *
         (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
     const double most = std::min(platform::physical_memory() / bytes_a_draw, 2147483647.0);
-    if (draws < 0 || static_cast<double>(draws) > most) {
+    if (draws < 0 || draws == 1 || static_cast<double>(draws) > most) {
         throw std::invalid_argument(fmt::format(
-            "draws is {}, expected 0 to {:.0f}, as many as fit into memory for this net", draws,
-            most));
+            "draws is {}, expected 0, or 2 to {:.0f}, as many as fit into memory for this net",
+            draws, most));
     }
 }
 

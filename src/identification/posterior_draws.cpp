@@ -3,6 +3,7 @@
 #include "taut/identification/posterior_draws.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "identification/drawn_summary.hpp"
@@ -27,10 +28,27 @@ DrawnEstimate estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
     std::ranges::sort(sorted);
     const double mean = sorted.mean();
     const auto others = std::max(1.0, static_cast<double>(sorted.size() - 1));
-    return {.mean = mean,
-            .std_dev = std::sqrt((sorted.array() - mean).square().sum() / others),
-            .lower = quantile(sorted, 0.025),
-            .upper = quantile(sorted, 0.975)};
+    DrawnEstimate result{.mean = mean,
+                         .std_dev = std::sqrt((sorted.array() - mean).square().sum() / others),
+                         .lower = quantile(sorted, 0.025),
+                         .upper = quantile(sorted, 0.975)};
+    constexpr Eigen::Index fewest = 39;  // to have both ranks
+    if (sorted.size() < fewest) {
+        const double factor = boost::math::quantile(boost::math::students_t(others), 0.975) *
+                              std::sqrt(1.0 + 1.0 / static_cast<double>(sorted.size()));
+        result.lower = std::min(result.lower, mean - factor * result.std_dev);
+        result.upper = std::max(result.upper, mean + factor * result.std_dev);
+    }
+    return result;
+}
+
+DrawnEstimate tension_of(const CableNet& net, int edge,
+                         const Eigen::Ref<const Eigen::VectorXd>& forces) {
+    DrawnEstimate result = estimate_of(forces);
+    if (net.can_be_slack(edge)) {
+        result.lower = std::max(result.lower, 0.0);
+    }
+    return result;
 }
 
 DrawnSummary summary_of(const PosteriorDraws& draws, const CableNet& net,
@@ -40,7 +58,7 @@ DrawnSummary summary_of(const PosteriorDraws& draws, const CableNet& net,
         const Eigen::VectorXd tension = draws.tensions.row(e);
         summary.tensions.push_back(
             {.edge = e,
-             .tension = estimate_of(tension),
+             .tension = tension_of(net, e, tension),
              .slack_probability = net.can_be_slack(e)
                                       ? static_cast<double>((tension.array() <= 0.0).count()) /
                                             static_cast<double>(draws.count())

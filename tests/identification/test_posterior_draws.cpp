@@ -263,14 +263,25 @@ TEST(PosteriorDraws, EndIntervalsAtOrderStatistics) {
     EXPECT_DOUBLE_EQ(estimate.mean, 99.0);
     EXPECT_NEAR(estimate.lower, 4.0, 1e-9);
     EXPECT_NEAR(estimate.upper, 194.0, 1e-9);
-    EXPECT_DOUBLE_EQ(estimate_of(Eigen::VectorXd::Constant(1, 7.0)).upper, 7.0);
 }
 
-TEST(PosteriorDraws, BelowZeroOrTooManyForMemoryAreRefused) {
+TEST(PosteriorDraws, OfFewAreNoSurerThanANormalDistributionLetsThemBe) {
+    // 0 .. 9: t of nine degrees of freedom is 2.262157.
+    const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(10, 0.0, 9.0);
+    const double half = 2.262157 * std::sqrt(82.5 / 9.0) * std::sqrt(1.1);
+    EXPECT_NEAR(estimate_of(values).lower, 4.5 - half, 1e-5);
+    EXPECT_NEAR(estimate_of(values).upper, 4.5 + half, 1e-5);
+    const CableNet net = hypar(2, 2);
+    EXPECT_EQ(tension_of(net, 0, values).lower, 0.0);
+}
+
+TEST(PosteriorDraws, OneOrBelowZeroOrTooManyForMemoryAreRefused) {
     const Reference reference = references().front();
     EXPECT_THROW(check_draws(reference.net, -1), std::invalid_argument);
     EXPECT_THROW(check_draws(reference.net, 1'000'000'000'000), std::invalid_argument);
+    EXPECT_THROW(check_draws(reference.net, 1), std::invalid_argument);
     EXPECT_NO_THROW(check_draws(reference.net, 0));
+    EXPECT_NO_THROW(check_draws(reference.net, 2));
     EXPECT_THROW((void)test::identify_lengths(reference.net, reference.survey, {.draws = -1}),
                  std::invalid_argument);
 }

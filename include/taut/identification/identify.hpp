@@ -79,7 +79,8 @@ struct IdentifyOptions {
 [[nodiscard]] TAUT_CORE_EXPORT int default_draws(const CableNet& net);
 
 /// Checks that this many draws can be made.
-/// @throws std::invalid_argument for draws below 0, or more than the memory of the machine holds
+/// @throws std::invalid_argument for draws below 0, for one alone, and for more than the memory of
+///   the machine holds
 TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 
 /// What these tensions were measured by, for with_site_assumptions().
