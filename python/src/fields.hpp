@@ -77,7 +77,7 @@ TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights, decomposit
 
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
-TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic, source, mode)
+TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic, source, mode, probability)
 TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
             is_swapped)
 TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, confounded_with)

@@ -81,17 +81,26 @@ void test_forces(CheckedResult& of) {
         add_given_stiffness(of.trust, of.result, false);
     }
     for (const ForceOutlier& outlier : of.result.force_outliers) {
+        constexpr double all_but_sure = 0.95;
+        const bool by_all = outlier.probability > all_but_sure;
+        const std::string hint = source_hint(outlier);
         of.add({.kind = FindingKind::force_measurement,
+                .severity = by_all ? Verdict::passed : Verdict::doubtful,
                 .ids = {of.net.edge_id(outlier.edge)},
                 .value = outlier.measured - outlier.expected,
                 .reason = fmt::format("The force {} edge {} is {:.2f} kN, where {:.2f} kN is "
-                                      "expected. taut left it out.",
+                                      "expected. {}",
                                       outlier.source == ForceSource::load_cell ? "measured in"
                                       : outlier.source == ForceSource::sag     ? "by the sag of"
                                                                            : "by the frequency of",
                                       of.net.edge_id(outlier.edge), 1e-3 * outlier.measured,
-                                      1e-3 * outlier.expected),
-                .advice = source_hint(outlier)});
+                                      1e-3 * outlier.expected,
+                                      by_all ? "taut left it out."
+                                             : fmt::format("By {:.0f} % of the priors taut left it "
+                                                           "out, by the others it fits: tensions "
+                                                           "are a mixture of both.",
+                                                           1e2 * outlier.probability)),
+                .advice = by_all ? hint : hint + (hint.empty() ? "" : " ") + "Measure it again."});
     }
 }
 

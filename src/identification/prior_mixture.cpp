@@ -120,6 +120,24 @@ LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& par
     return mixed;
 }
 
+/// Force measurements that any part left out, and the probability of the parts that did.
+std::vector<ForceOutlier> mixed_outliers(const std::vector<WeightedIdentification>& parts) {
+    std::vector<ForceOutlier> all;
+    for (const auto& [weight, result] : parts) {
+        for (const ForceOutlier& one : result.force_outliers) {
+            const auto found = std::ranges::find(all, one.edge, &ForceOutlier::edge);
+            if (found != all.end()) {
+                found->probability = std::min(found->probability + weight, 1.0);
+            } else {
+                all.push_back(one);
+                all.back().probability = weight;
+            }
+        }
+    }
+    std::ranges::sort(all, std::ranges::greater(), &ForceOutlier::statistic);
+    return all;
+}
+
 /// (prior-mixture), of the places of all nodes; nothing where a part has none.
 std::vector<Eigen::Matrix3d> mixed_places(const std::vector<WeightedIdentification>& parts) {
     const Points& first = parts.front().result.predicted.form;
@@ -303,6 +321,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
         result.stretches[k].tension_std = std_of(
             [](const StretchLength& one) { return std::pair(one.tension, one.tension_std); });
     }
+    result.force_outliers = mixed_outliers(parts);
     if (result.frame_offset) {
         result.frame_offset = mixed_frame(parts);
     }

@@ -116,7 +116,9 @@ Description<ForceOutlier> describe(const ForceOutlier* /*type*/) {
         .key("expected", &ForceOutlier::expected, "By all other data [N].")
         .key("statistic", &ForceOutlier::statistic)
         .newer("source", &ForceOutlier::source, "What it was measured by.")
-        .newer("mode", &ForceOutlier::mode, "Of the frequency; 0 where there is none.");
+        .newer("mode", &ForceOutlier::mode, "Of the frequency; 0 where there is none.")
+        .newer("probability", &ForceOutlier::probability, part,
+               "Of the priors by which it was left out.");
 }
 
 Description<ForceBias> describe(const ForceBias* /*type*/) {

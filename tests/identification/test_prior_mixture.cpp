@@ -69,4 +69,19 @@ TEST(PriorMixture, HasTheMeanAndVarianceOfItsParts) {
     EXPECT_EQ(std::ssize(mixed.drawn.tensions), net.edge_count());
 }
 
+TEST(PriorMixture, SaysBySomeOfWhichPriorsAForceWasLeftOut) {
+    const CableNet net = hypar(3, 3);
+    const SimulatedSurvey s = simulate(net, {LengthPrior::Kind::uniform, 0.003}, 0.5e-3, 4);
+    Identification narrow = test::identify_lengths(net, s.survey, {});
+    Identification wide = narrow;
+    narrow.force_outliers = {{.edge = 3, .statistic = 20.0}, {.edge = 0, .statistic = 30.0}};
+    wide.force_outliers = {{.edge = 3, .statistic = 40.0}};
+    const std::vector<ForceOutlier> found =
+        mixture_of(net, s.survey, {{0.75, narrow}, {0.25, wide}}, 0).force_outliers;
+    ASSERT_EQ(std::ssize(found), 2);
+    EXPECT_EQ(found[0].edge, 0);
+    EXPECT_EQ(found[0].probability, 0.75);
+    EXPECT_EQ(found[1].probability, 1.0);
+}
+
 }  // namespace

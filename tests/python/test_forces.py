@@ -71,3 +71,15 @@ def test_a_load_that_hung_on_the_net_at_one_survey(net, survey, built, tmp_path)
     assert both.epochs[1]["load"] == pytest.approx(200.0 * len(net.free_nodes[::4]))
     both.save(tmp_path / "both.json")
     assert json.loads((tmp_path / "both.json").read_text())["epochs"][1]["load"] > 0.0
+
+
+def test_a_load_cell_that_some_priors_leave_out_is_named():
+    net = taut.hypar(5, 5)
+    form = taut.solve_equilibrium(taut.built_net(net, prior="uniform:3mm", seed=4)).form
+    survey = taut.read_survey(net, taut.simulate_survey(net, form, noise=0.5e-3))
+    with pytest.warns(UserWarning, match="check the unit"):
+        found = taut.identify(net, survey, forces=[(0, 700.0, 50.0)])
+    (outlier,) = found.force_outliers
+    assert 0.0 < outlier["probability"] < 0.95
+    assert found.trust == "doubtful"
+    assert found.findings[0]["ids"] == ["0"]

@@ -27,6 +27,7 @@ struct ForceOutlier {
     double statistic = 0.0;                       ///< squared difference in its variances
     ForceSource source = ForceSource::load_cell;  ///< as ForceMeasurement::source
     int mode = 0;                                 ///< as ForceMeasurement::mode
+    double probability = 1.0;                     ///< of the priors by which it was left out
 };
 
 /// An edge whose length by the survey is an outlier of the prior: mis-cut, most likely.

@@ -117,7 +117,8 @@ def full_identification(folder, net):
     result["forces"] = {
         "measurements": 2,
         "outliers": [{
-            **edge, "measured": 5000.0, "expected": 4000.0, "statistic": 20.0, "source": "frequency", "mode": 2
+            **edge, "measured": 5000.0, "expected": 4000.0, "statistic": 20.0, "source": "frequency", "mode": 2,
+            "probability": 0.5
         }],
         "bias": {"part": 0.2, "std": 0.01},
         "contradicted_taut": [inner[1]],
