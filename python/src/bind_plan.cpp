@@ -99,7 +99,9 @@ void bind_plan(nb::module_& module) {
          {"no_draws_because", "Why there are no posterior samples; else empty."},
          {"limit_probability",
           "Probability that all limits are kept; None without posterior samples."},
-         {"is_feasible", "Whether all limits are kept, with the confidence required."},
+         {"is_feasible",
+          "Whether all limits are kept, with the confidence required; without posterior samples "
+          "by the estimate alone."},
          {"has_converged", "Whether the search for strokes converged."},
          {"breaches",
           "Limits that are broken, or not surely kept, the worst first. Of each: kind ('tension' "
@@ -163,8 +165,11 @@ void bind_plan(nb::module_& module) {
             "required.")
         .def_prop_ro(
             "safe_probability",
-            [](const Planned& self) { return self.turns.order.safe_probability; },
-            "Probability that no step of the work breaks a limit that was kept before; 0 or 1 "
+            [](const Planned& self) {
+                return self.turns.plan.draws > 0 ? std::optional(self.turns.order.safe_probability)
+                                                 : std::nullopt;
+            },
+            "Probability that no step of the work breaks a limit that was kept before; None "
             "without posterior samples.")
         .def_prop_ro(
             "warnings", [](const Planned& self) { return written(self, &plan_warnings); },
@@ -208,7 +213,9 @@ void bind_plan(nb::module_& module) {
                 "{:.2f} mm as built{})",
                 self.turns.plan.strokes.size(), self.turns.options.edges.size(),
                 1e3 * self.turns.plan.largest_stroke(),
-                self.turns.plan.is_feasible ? "limits are kept" : "LIMITS ARE BROKEN",
+                !self.turns.plan.is_feasible ? "LIMITS ARE BROKEN"
+                : self.turns.plan.draws == 0 ? "limits are kept by the estimate, not surely"
+                                             : "limits are kept",
                 1e3 * self.turns.plan.planned.normal_rmse,
                 1e3 * self.turns.plan.as_built.normal_rmse,
                 self.trust.verdict() == Trust::Verdict::passed

@@ -132,7 +132,8 @@ void add_target_tensions(PlanRequest& request, const CableNet& net,
             }
             request.target_tension.push_back(std::move(one));
         }
-    } else if (nb::hasattr(given, "__len__") && !nb::isinstance<nb::tuple>(given)) {
+    } else if (nb::hasattr(given, "__len__") && !nb::isinstance<nb::tuple>(given) &&
+               !nb::isinstance<nb::str>(given)) {
         const Eigen::VectorXd tensions = vector_or_number(given, name, net.edge_count());
         for (int edge = 0; edge < net.edge_count(); ++edge) {
             if (!std::isnan(tensions(edge))) {

@@ -12,6 +12,8 @@
 #include "files/csv_field.hpp"
 #include "results/document_parts.hpp"
 #include "taut/files/printable.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/imbalance.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -50,6 +52,28 @@ bool are_likely(const std::vector<LimitBreach>& breaches) {
     return !breaches.empty() && std::ranges::all_of(breaches, [](const LimitBreach& one) {
         return one.probability > 0.5;
     });
+}
+
+/// By how much the form of the designed lengths misses the target along its normal, where that is
+/// most of what the plan leaves, and the target is the nodes of the net; else 0 [m].
+double missed_by_design(const PlanRecord& record) {
+    constexpr double least_force = 0.02;  // of the mean tension, out of balance
+    constexpr double least = 1e-4;        // [m]
+    const CableNet& net = *record.net;
+    const Plan& plan = record.turns->plan;
+    if (record.target->surface() != nullptr ||
+        record.target->places()(Eigen::all, net.free_nodes()) !=
+            net.nodes()(Eigen::all, net.free_nodes()) ||
+        imbalance_of(net, net.unstressed_lengths(), net.nodes()).share() < least_force) {
+        return 0.0;
+    }
+    const Equilibrium design = solve_equilibrium(net);
+    if (!design.balanced()) {
+        return 0.0;
+    }
+    const double missed = deviation_from(*record.target, net, design.form).normal_rmse;
+    return missed > std::max({least, plan.normal_std, 0.5 * plan.planned.normal_rmse}) ? missed
+                                                                                       : 0.0;
 }
 
 }  // namespace
@@ -129,6 +153,12 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
                         "{:.2f} mm to which the planned form is known. Turn fewer edges, or none: "
                         "give a tolerance",
                         1e3 * plan.gain(), 1e3 * plan.normal_std));
+    }
+    if (const double missed = missed_by_design(record); missed > 0.0) {
+        warnings.push_back(
+            fmt::format("THE TARGET IS NO FORM OF THIS NET: with all lengths as designed the net "
+                        "is {:.2f} mm RMS along the normal from it. Check the net's nodes",
+                        1e3 * missed));
     }
     if (plan.draws == 0 && !plan.target_tensions.empty()) {
         warnings.push_back(

@@ -279,6 +279,11 @@ def test_target_tensions_are_forces_by_edge_or_an_array(found):
         assert {**one, "edge_id": found.net.edge_id(one["edge"])} == saved
 
 
+def test_a_target_tension_may_be_text(found):
+    by_text = taut.plan(found, target_tension="250N")
+    assert by_text.target_tensions == taut.plan(found, target_tension=250.0).target_tensions
+
+
 def test_a_surface_may_be_an_array(job):
     vertices, triangles = job["surface"]
     named = taut.plan(job["found"], target=job["folder"] / "roof.obj", target_unit="mm")
@@ -331,3 +336,19 @@ def test_what_is_of_no_such_kind_is_refused_by_its_name(found, settings):
     [name] = settings
     with pytest.raises((TypeError, ValueError), match=name):
         taut.plan(found, **settings)
+
+
+def test_without_samples_a_plan_promises_nothing(net, survey):
+    plan = taut.plan(taut.identify(net, survey, draws=0), tension=(1.0, 1e6))
+    assert plan.is_feasible
+    assert (plan.safe_probability, plan.limit_probability) == (None, None)
+    assert "not surely" in repr(plan)
+
+
+def test_a_design_that_is_no_form_of_its_lengths_is_named(net, survey):
+    lifted = np.array(net.nodes)
+    lifted[net.free_nodes, 2] += 0.02
+    odd = taut.CableNet.from_dict(net.to_dict() | {"nodes": lifted})
+    plan = taut.plan(taut.identify(odd, survey, draws=0))
+    assert any(one.startswith("THE TARGET IS NO FORM OF THIS NET") for one in plan.warnings)
+    assert not any("NO FORM" in one for one in taut.plan(taut.identify(net, survey)).warnings)
