@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/linearisation.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 #include "taut/numerical_error.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -50,6 +54,14 @@ LinearisedFit linearised_fit(const StaticsModel& model, Iterate iterate,
                              const Observations& observations) {
     std::optional<Linearisation> found = linearise(model, iterate, observations);
     if (!found) {
+        if (std::ranges::all_of(model.slack, std::identity())) {
+            throw NumericalError(
+                fmt::format("no edge carries a force at this form: unstressed lengths are {:.4g} m "
+                            "in the mean, "
+                            "distances {:.4g} m. Check units and lengths",
+                            model.net().unstressed_lengths().mean(),
+                            edge_lengths(model.net(), iterate.form).mean()));
+        }
         throw NumericalError(
             "the statics of the net are singular at this form. Check the net and the prior");
     }
