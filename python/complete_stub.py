@@ -34,7 +34,8 @@ COMPLETED = {
 
 
 def completed(stub: str) -> str:
-    """Changes imports and signatures, never a docstring."""
+    """Changes imports and signatures, never a docstring. Constructors have one overload: the other refuses."""
+    stub = re.sub(r"\n *@overload\n *def __init__\(self, \*args.*\n|(?<=\n) *@overload\n|(?<=\n)from typing import overload\n", "", stub)
     lines = stub.split("\n")
     unused = set(COMPLETED)
     this = ""

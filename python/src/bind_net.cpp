@@ -221,6 +221,7 @@ void bind_tension_law(nb::module_& module) {
             return fmt::format("TensionLaw({} points, up to {:.4g} N)", law.strain.size(),
                                law.tension.maxCoeff());
         });
+    refuse_other_arguments(law);
 }
 
 /// A property that is a view of what the net holds.
@@ -307,11 +308,26 @@ Args:
 Raises:
     NetError: naming the place, the value and the rule.
     ValueError, TypeError: for a wrong shape or dtype.)");
+    refuse_other_arguments(net);
     net.def_static(
         "from_json", [](const std::string& text) { return parse_net(text, "net").net; },
         nb::arg("text"),
         "A net in taut's own JSON format.\n\nRaises:\n    InputError: at a line and column, or a "
         "JSON pointer.");
+    net.def_static(
+        "from_dict",
+        [](const nb::dict& data) {
+            const nb::object to_list =
+                nb::module_::import_("operator").attr("methodcaller")("tolist");
+            const nb::object text =
+                nb::module_::import_("json").attr("dumps")(data, nb::arg("default") = to_list);
+            return parse_net(nb::cast<std::string>(text), "net").net;
+        },
+        nb::arg("data"),
+        "A net as to_dict() gives it, with arrays in place of lists where you like: with loads, "
+        "say, "
+        "net.to_dict() | {'loads': loads}."
+        "\n\nRaises:\n    InputError: at a JSON pointer.");
     net.def_static(
         "load", [](const std::filesystem::path& path) { return read_net(path).net; },
         nb::arg("path"),

@@ -235,6 +235,12 @@ void bind_sampling(nb::module_& module) {
             "extend",
             [](const Sampler& self, DataSet data, int count, const nb::object& progress) {
                 check_made_by(self, data);
+                if (count < data.size()) {
+                    throw nb::value_error(
+                        fmt::format("count: got {}, expected {} or more, as data has", count,
+                                    data.size())
+                            .c_str());
+                }
                 return interruptible(progress, [&](const Progress& reporter) {
                     self.extend_to(data, count, reporter);
                     return std::move(data);

@@ -16,6 +16,7 @@
 #include "states.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
+#include "taut/statics/imbalance.hpp"
 #include "taut/statics/stability.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -112,9 +113,11 @@ Args:
 
 Returns:
     The form with its status: forces that do not balance raise nothing.)");
-    nb::class_<Solver>(module, "EquilibriumSolver",
-                       "Solves one net for many sets of unstressed lengths. Threads that share one "
-                       "wait for each other.")
+    nb::class_<Solver> solver(
+        module, "EquilibriumSolver",
+        "Solves one net for many sets of unstressed lengths. Threads that share one "
+        "wait for each other.");
+    solver
         .def(
             "__init__",
             [](Solver* self, const CableNet& net, int max_iterations, double relative_tolerance) {
@@ -152,9 +155,12 @@ Returns:
 Args:
     unstressed_lengths: (m,) [m].
     start: form to begin from (n, 3), by default the net's nodes [m].)");
-    nb::class_<FormSensitivity>(module, "FormSensitivity",
-                                "First and second derivatives of the equilibrium form with "
-                                "respect to unstressed lengths; factorised once.")
+    refuse_other_arguments(solver);
+    nb::class_<FormSensitivity> sensitivity(
+        module, "FormSensitivity",
+        "First and second derivatives of the equilibrium form with "
+        "respect to unstressed lengths; factorised once.");
+    sensitivity
         .def(
             "__init__",
             [](FormSensitivity* self, const CableNet& net, const ArrayLike& unstressed_lengths,
@@ -162,6 +168,15 @@ Args:
                 const Eigen::VectorXd lengths =
                     vector_argument(unstressed_lengths, "unstressed_lengths", net.edge_count());
                 const Points places = points_argument(form, "form", net.node_count());
+                constexpr double balanced = 1e-3;
+                const Imbalance imbalance = imbalance_of(net, lengths, places);
+                if (imbalance.largest > balanced * imbalance.mean_tension) {
+                    throw nb::value_error(
+                        fmt::format("form: is no equilibrium of unstressed_lengths: up to {:.3g} N "
+                                    "are out of balance, the mean tension is {:.3g} N",
+                                    imbalance.largest, imbalance.mean_tension)
+                            .c_str());
+                }
                 without_lock([&] { return new (self) FormSensitivity(net, lengths, places); });
             },
             nb::arg("net"), nb::arg("unstressed_lengths"), nb::arg("form"))
@@ -234,6 +249,7 @@ Args:
             nb::arg("edges"),
             "Of each edge, a row each: change of the free coordinates by its length (edges, 3 n_I) "
             "[m/m].");
+    refuse_other_arguments(sensitivity);
     module.def(
         "tensions",
         [](const CableNet& net, const ArrayLike& unstressed_lengths, const ArrayLike& form) {

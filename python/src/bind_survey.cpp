@@ -129,6 +129,12 @@ std::vector<SurveyPoint> points_of(const ArrayLike& positions,
         }
         if (stds) {
             point.noise_std = stds->col(i);
+            if (!(stds->col(i).allFinite() && stds->col(i).minCoeff() >= 0.0)) {
+                throw nb::value_error(
+                    fmt::format("noise: got ({}, {}, {}) for point {}, expected 0 or more",
+                                (*stds)(0, i), (*stds)(1, i), (*stds)(2, i), i + 1)
+                        .c_str());
+            }
         }
     }
     return points;
@@ -263,6 +269,9 @@ void bind_survey(nb::module_& module) {
         nb::arg("in_metres"), nb::arg("noise").none(), nb::arg("given"));
     module.def("_length_given", [](const QuantityLike& given, const std::string& name) {
         return length_given(given, name.c_str());
+    });
+    module.def("_force_given", [](const QuantityLike& given, const std::string& name) {
+        return force_given(given, name.c_str());
     });
     module.def(
         "simulate_survey",

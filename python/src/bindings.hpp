@@ -27,9 +27,37 @@ void bind_plan(nb::module_& module);  ///< for bind_adjustment()
 void bind_study(nb::module_& module);
 void bind_interchange(nb::module_& module);
 
+/// Fits any default, when nanobind converts arguments: after all overloads were tried without.
+struct TriedLast {};
+
+/// What a constructor says to arguments that none of its overloads takes: one line.
+template <class T>
+void refuse_other_arguments(nb::class_<T>& of) {
+    of.def(
+        "__init__",
+        [](T* /*self*/, const nb::args& args, TriedLast /*last*/, const nb::kwargs& kwargs) {
+            nb::module_::import_("taut.calls").attr("refuse")(nb::type<T>(), args, kwargs);
+        },
+        nb::arg("args"), nb::arg("tried_last") = nb::none(), nb::arg("kwargs"));
+}
+
 /// A function of one of the package's own files, imported when it is first called.
 inline nb::object of_package(const char* module, const char* function) {
     return nb::module_::import_(module).attr(function);
 }
 
 }  // namespace taut::python
+
+namespace nanobind::detail {
+
+template <>
+struct type_caster<taut::python::TriedLast> {
+    NB_TYPE_CASTER(taut::python::TriedLast, const_name("None"))
+
+    template <class Flags>
+    bool from_python(handle /*value*/, Flags flags, cleanup_list* /*cleanup*/) noexcept {
+        return (flags & static_cast<Flags>(cast_flags::convert)) != 0;
+    }
+};
+
+}  // namespace nanobind::detail

@@ -74,6 +74,7 @@ void bind_exceptions(nb::module_& module) {
 }  // namespace
 
 NB_MODULE(_taut, module) {
+    nb::set_leak_warnings(false);  // threads that live when Python ends keep what they hold
     module.doc() = "The compiled part of taut: import taut instead.";
     module.attr("__version__") = std::string(version());
     bind_exceptions(module);

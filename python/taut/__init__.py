@@ -32,7 +32,10 @@ _taut.Plan._repr_mimebundle_ = notebook.mimebundle
 
 class Sampler(_taut.Sampler):
     __doc__ = _taut.Sampler.__doc__
-    __init__ = calls.naming_arguments(_taut.Sampler.__init__, "Sampler")
+    __init__ = calls.keeping_arguments(
+        calls.naming_arguments(_taut.Sampler.__init__, "Sampler")
+    )
+    __reduce__ = calls.made_anew
 
 
 __all__ = [name for name in dir() if not name.startswith("_")]
@@ -46,6 +49,6 @@ __all__ += ["__version__", "gradients"]  # noqa: F405 - gp and plot take package
 
 def __getattr__(name):
     """Imports the modules that need more than NumPy when they are first used."""
-    if name in ("gp", "gradients", "plot"):
+    if name in ("gp", "gradients", "lines", "plot"):
         return import_module(f"taut.{name}")
     raise AttributeError(f"module 'taut' has no attribute {name!r}")

@@ -12,6 +12,7 @@ import inspect
 import math
 import operator
 import re
+import reprlib
 import warnings
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any, TypeVar, cast
@@ -87,7 +88,10 @@ def _listed(annotation: ast.expr | None) -> str:
 
 def _got(value: object) -> str:
     name = type(value).__name__
-    return f"{name} {value}" if isinstance(value, int) else name
+    if name in TYPES and not isinstance(value, TYPES[name]):
+        name = f"{type(value).__module__}.{name}"
+    is_short = isinstance(value, (int, list, tuple, dict))
+    return f"{name} {reprlib.repr(value)}" if is_short else name
 
 
 def _arguments(function: Any) -> tuple[ast.arguments, dict[str, ast.expr | None]]:
@@ -160,8 +164,14 @@ def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
     if not wrong:
         names = ", ".join(f"{name}: {_listed(expected[name])}" for name in given)
         return f"arguments of a wrong type, expected {names}"
+    limits = {
+        name: ", not negative, nor so large"
+        for name in wrong
+        if fits[name] is None and isinstance(given[name], int)
+    }
     return "; ".join(
-        f"{name}: got {_got(given[name])}, expected {_listed(expected[name])}" for name in wrong
+        f"{name}: got {_got(given[name])}, expected {_listed(expected[name])}{limits.get(name, '')}"
+        for name in wrong
     )
 
 
@@ -222,11 +232,34 @@ def naming_arguments(function: Function, name: str | None = None) -> Function:
     return cast("Function", call)
 
 
+def keeping_arguments(init: Function) -> Function:
+    """The same constructor, for objects that made_anew() copies."""
+
+    @functools.wraps(init)
+    def call(self: Any, *args: Any, **kwargs: Any) -> None:
+        init(self, *args, **kwargs)
+        self._given = args, kwargs
+
+    return cast("Function", call)
+
+
+def made_anew(of: Any) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+    """As pickle and copy take an object: by the arguments it was made of."""
+    made_of: Callable[..., Any] = type(of)
+    args, kwargs = of._given
+    return functools.partial(made_of, **kwargs), args
+
+
+def refuse(of: type, args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
+    """Raises what a class says to arguments that its constructor does not take."""
+    raise TypeError(f"{of.__name__}: {misfit(vars(of)['__init__'], args, kwargs)}")
+
+
 def naming_arguments_of_methods(of: type) -> None:
     """Does the same to the methods of a class of nanobind; its constructor can be inspected."""
     for name, method in list(vars(of).items()):
         signatures = getattr(method, "__nb_signature__", ())
-        if len(signatures) != 1 or (name.startswith("__") and name != "__init__"):
+        if not signatures or (name.startswith("__") and name != "__init__"):
             continue
         if not _is_method(method):
             setattr(of, name, staticmethod(naming_arguments(method, f"{of.__name__}.{name}")))

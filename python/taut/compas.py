@@ -198,6 +198,8 @@ def _given(names: list[str], attributes: list[Any]) -> list[str]:
 
 def _put_on(like: Any, graph: Any) -> Any:
     """A copy of a Mesh or Graph with the places and forces of a graph that has its names."""
+    if not hasattr(like, "copy"):
+        raise TypeError(f"like: got {type(like).__name__}, expected a Mesh or Graph of COMPAS")
     is_mesh = hasattr(like, "vertices")
     result = like.copy()
     place = result.vertex_attributes if is_mesh else result.node_attributes

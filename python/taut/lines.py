@@ -18,10 +18,13 @@ Array = NDArray[np.float64]
 
 def coordinates(points: Iterable[Any] | None) -> Array:
     """Points that have X, Y and Z, or are three numbers each, as an array (k, 3)."""
-    rows = [
-        (point.X, point.Y, point.Z) if hasattr(point, "X") else tuple(point)
-        for point in (() if points is None else points)
-    ]
+    try:
+        rows = [
+            (point.X, point.Y, point.Z) if hasattr(point, "X") else tuple(point)
+            for point in (() if points is None else points)
+        ]
+    except TypeError:
+        raise TypeError(f"points: got {points!r}, expected x, y and z of each") from None
     if any(len(row) != 3 for row in rows):
         raise ValueError("points: got other than three coordinates, expected x, y and z of each")
     return np.array(rows, dtype=float).reshape(-1, 3)
@@ -68,6 +71,12 @@ class _Nodes:
 
 def _of_each(given: ArrayLike, name: str, count: int) -> Array:
     """One number of each line, or one for all."""
+    parse = _taut._length_given if name == "unstressed_length" else _taut._force_given
+    texts: Any = [given] if isinstance(given, str) else given
+    if isinstance(texts, Iterable) and any(isinstance(one, str) for one in texts):
+        if name == "force_density":
+            raise TypeError("force_density: got str, expected numbers of N/m")
+        given = [parse(one, name) for one in texts]
     values = np.asarray(given, dtype=float).ravel()
     if values.size not in (1, count):
         raise ValueError(f"{name}: got {values.size} numbers, expected one, or {count} of lines")
@@ -97,8 +106,8 @@ def net_from_lines(
         lines: cables in the nominal form. Each has ends From and To with X, Y and Z, as a Line of
             Rhino, or is a sequence of points; a polyline is one edge from point to point.
         supports: points where lines end at the frame.
-        axial_stiffness: EA of each edge, or one number for all [N].
-        tension: of each edge in the nominal form, or one number for all [N]; or
+        axial_stiffness: EA of each edge, or one number for all [N], or '100kN'.
+        tension: of each edge in the nominal form, or one number for all [N], or '2kN'; or
         force_density: tension over length [N/m]; or
         unstressed_length: [m].
         loads: 'none', or those that 'balance' the tensions at free nodes.
@@ -112,6 +121,9 @@ def net_from_lines(
     """
     if loads not in ("none", "balance"):
         raise ValueError(f"loads: got {loads!r}, expected 'none' or 'balance'")
+    for name, value in {"scale": scale, "tolerance": tolerance}.items():
+        if isinstance(value, str) or not 0.0 < value < float("inf"):
+            raise ValueError(f"{name}: got {value!r}, expected a number above 0")
     nodes = _Nodes(tolerance)
     edges = np.array([[nodes.add(end) for end in ends] for ends in scale * _segments(lines)])
     fixed = [nodes.find(point) for point in scale * coordinates(supports)]

@@ -5,8 +5,10 @@
 from __future__ import annotations
 
 import itertools
+import math
 import os
 from collections.abc import Iterable, Mapping
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -81,13 +83,36 @@ def _noise(noise: Any, count: int) -> tuple[float | None, NDArray[np.float64] | 
         return float(noise), None
     if np.ma.is_masked(noise):
         raise ValueError("noise: has masked entries, expected a number everywhere")
+    if any(isinstance(one, str) for one in noise):
+        noise = [_taut._length_given(one, "noise") for one in noise]
     array = np.asarray(noise, dtype=float)
     if array.shape == (3,):
         array = np.tile(array, (count, 1))
     return None, array
 
 
+#: Metres in each unit of coordinates.
+UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048, "us-ft": 1200 / 3937}
+
+
+def _text_of(name: str, number: float) -> str:
+    """A number in SI units as on the command line."""
+    if name == "angle":
+        return f"{1e3 * number!r}mrad"
+    if name != "unit":
+        return f"{number!r}m"
+    for unit, size in UNITS.items():
+        if math.isclose(number, size):
+            return unit
+    raise ValueError(f"unit: got {number:g}, expected the metres of one of {', '.join(UNITS)}")
+
+
 def _text(name: str, value: object) -> str:
+    numbers = value if name == "offset" and isinstance(value, tuple) else (value,)
+    if name in ("unit", "offset", "angle", "distance") and all(
+        isinstance(one, Real) and not isinstance(one, bool) for one in numbers
+    ):
+        return ":".join(_text_of(name, float(one)) for one in numbers)
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"{name}: got {type(value).__name__}, expected text")
     return os.fspath(value)
@@ -102,12 +127,12 @@ def read_survey(
     noise: ArrayLike | str | None = None,
     frame: str = "auto",
     control_points: str | os.PathLike[str] | None = None,
-    unit: str | None = None,
+    unit: str | float | None = None,
     match: str = "auto",
-    offset: str | None = None,
+    offset: str | float | tuple[float, float] | None = None,
     offsets: str | os.PathLike[str] | None = None,
-    angle: str | None = None,
-    distance: str | None = None,
+    angle: str | float | None = None,
+    distance: str | float | None = None,
     file_format: str | None = None,
     columns: str | None = None,
     separator: str | None = None,
@@ -127,16 +152,17 @@ def read_survey(
             (k, 3), where the source has none [m], whatever the unit of the coordinates.
         frame: 'net', 'supports' (fitted to those that are named), or 'auto'.
         control_points: path of control points id, x, y, z in the net's frame, to fit the frame to.
-        unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points by default 'm'.
+        unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft', or its metres: 0.001;
+            of points by default 'm'.
         match: find a point's node by its 'name', its 'place', or 'auto'.
         offset: of targets from the axis of the cable along the net's normal, and its standard
-            deviation: '3mm:0.2mm'.
+            deviation: '3mm:0.2mm', or one or two numbers [m].
         offsets: path of a table target, offset, std of offsets by a target's name or code.
 
     The rest is for files alone, where these do not say it:
 
-        angle: standard deviation of each direction and zenith angle, '0.3mgon'.
-        distance: standard deviation of each distance, '1mm+1.5ppm'.
+        angle: standard deviation of each direction and zenith angle, '0.3mgon', or a number [rad].
+        distance: standard deviation of each distance, '1mm+1.5ppm', or a number [m].
         file_format: 'table', 'xyz', 'pts', 'gsi', 'landxml', 'jobxml', 'gama', 'dxf'.
         columns: of a table, 'id,x,y,z,sx,sy,sz' in their order, '-' for one to leave out.
         separator: of a table, 'comma', 'semicolon', 'tab', 'blank'.

@@ -100,3 +100,10 @@ def test_a_state_of_another_version_or_class_is_refused(found, survey):
     for wrong in [(version, state[:-1]), (version, found.__getstate__()[1]), (version, 7)]:
         with pytest.raises((ValueError, TypeError, RuntimeError, IndexError)):
             taut.Survey.__new__(taut.Survey).__setstate__(wrong)
+
+
+def test_a_sampler_goes_to_other_processes(net):
+    sampler = taut.Sampler(net, "uniform:3mm", seed=7)
+    parts = [pickle.loads(pickle.dumps(sampler)).part(k, 2) for k in (2, 0)]
+    parts += [copy.copy(sampler).part(4, 1)]
+    assert same(sampler.joined(parts).form_deviations, sampler.draw(5).form_deviations)

@@ -357,3 +357,13 @@ def test_tension_laws_are_checked():
     assert net.to_dict()["tension_laws"][0]["name"] == "strand"
     with pytest.raises(ValueError, match="ascend"):
         taut.TensionLaw([0.0, 0.0], [0.0, 1.0])
+
+
+def test_a_net_may_be_changed_by_its_dict():
+    net = taut.builtin_net("steel-roof")
+    assert taut.CableNet.from_dict(net.to_dict()) == net
+    loads = 2.0 * np.array(net.to_dict()["loads"])
+    heavier = taut.CableNet.from_dict(net.to_dict() | {"loads": loads})
+    assert heavier.to_dict() == net.to_dict() | {"loads": loads.tolist()}
+    with pytest.raises(ValueError, match="net:/edges"):
+        taut.CableNet.from_dict(net.to_dict() | {"edges": 3})

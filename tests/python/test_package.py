@@ -163,6 +163,25 @@ def test_signatures_of_constructors_and_methods_can_be_inspected():
         net.save(3)
 
 
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda net: taut.CableNet(net.nodes, net.supports), "CableNet: edges: is missing"),
+        (lambda net: taut.CableNet([], [], [], 1e5, [], breaking=3), "breaking: .* breaking_load"),
+        (lambda net: taut.TensionLaw([0, 1], [0, 1], 3), "TensionLaw: name: got int 3, .* str"),
+        (lambda net: taut.EquilibriumSolver(3), "EquilibriumSolver: net: got int 3, .* CableNet"),
+        (lambda net: taut.FormSensitivity(net), "FormSensitivity: unstressed_lengths: is missing"),
+    ],
+)
+def test_constructors_name_the_argument(call, words):
+    with pytest.raises(TypeError, match=words):
+        call(taut.hypar(3, 3))
+
+
+def test_constructors_convert_numbers():
+    assert taut.EquilibriumSolver(taut.hypar(3, 3), relative_tolerance=1)
+
+
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_ctrl_c_ends_long_work():
     code = (

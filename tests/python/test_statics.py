@@ -73,3 +73,15 @@ def test_one_solver_serves_one_thread_at_a_time_and_many_serve_many(net):
     for thread in threads:
         thread.join()
     assert not wrong
+
+
+def test_a_form_that_is_no_equilibrium_has_no_sensitivity(net):
+    lifted = np.array(net.nodes)
+    lifted[net.free_nodes, 2] += 0.01
+    with pytest.raises(ValueError, match="form: is no equilibrium of unstressed_lengths: up to"):
+        taut.FormSensitivity(net, net.unstressed_lengths, lifted)
+
+
+def test_lengths_in_another_unit_are_seen(net):
+    with pytest.raises(RuntimeError, match=r"no edge carries a force .* Check units"):
+        taut.inspect(net.with_lengths(1e3 * net.unstressed_lengths))

@@ -100,7 +100,8 @@ masked = np.ma.masked_array(three[0], mask=True)
         (two, {"unit": "ell"}, ValueError, "unit: got 'ell'"),
         (two, {"match": "luck"}, ValueError, "match: got 'luck'"),
         (two, {"decimal": "comma"}, ValueError, "decimal: is for a file, and source holds points"),
-        (two, {"unit": 1e-3}, TypeError, "unit: got float, expected text"),
+        (two, {"unit": 2e-3}, ValueError, "unit: got 0.002, expected the metres of one of mm"),
+        (two, {"unit": True}, TypeError, "unit: got bool, expected text"),
         (two, {"control_points": "absent.csv"}, ValueError, "absent.csv"),
         (7, {}, ValueError, r"source: got shape \(\)"),
         (None, {}, TypeError, "source: got None"),
@@ -149,6 +150,10 @@ def test_settings_of_a_file(net, columns, tmp_path):
     )
     expected = taut.read_survey(net, columns, noise=None)
     assert survey.form == pytest.approx(expected.form, abs=1e-9)
+    by_number = taut.read_survey(
+        net, path, columns="id,y,x,z", file_format="table", noise=1e-3, **settings | {"unit": 1e-3}
+    )
+    assert (by_number.form == survey.form).all()
 
 
 def test_offsets_of_targets(net, positions, tmp_path):
@@ -158,6 +163,8 @@ def test_offsets_of_targets(net, positions, tmp_path):
     bare = taut.read_survey(net, positions, **of_points)
     for offset, first, others in [
         ({"offset": "3mm:0.2mm"}, 3e-3, 3e-3),
+        ({"offset": (3e-3, 0.2e-3)}, 3e-3, 3e-3),
+        ({"offset": np.float64(3e-3)}, 3e-3, 3e-3),
         ({"offsets": table}, 5e-3, 0),
     ]:
         off = taut.read_survey(net, positions, **of_points, **offset)
@@ -186,3 +193,17 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
         net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=noise["remedy"]["value"]
     )
     assert again.noise_std.max() == pytest.approx(noise["value"] * 1e-4, rel=1e-2)
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf, -1e-3])
+def test_standard_deviations_of_an_array_are_numbers(net, positions, wrong):
+    stds = np.full(np.shape(positions), 5e-4)
+    stds[:, 0] = wrong
+    with pytest.raises(ValueError, match="noise: got .* for point 1, expected"):
+        taut.read_survey(net, positions, noise=stds)
+
+
+def test_noise_of_each_axis_may_be_text(net, positions):
+    by_text = taut.read_survey(net, positions, noise=["0.5mm", "0.5mm", 8e-4])
+    by_number = taut.read_survey(net, positions, noise=[5e-4, 5e-4, 8e-4])
+    assert np.array_equal(by_text.noise_std, by_number.noise_std)
