@@ -52,8 +52,8 @@ for version in 3.12 3.13 3.14; do
         break
     fi
 done
-# By the CMake of the last, which needs a newer one than Debian's: what another compiled is compiled anew.
-last="${versions[-1]}"
+# By one CMake, so that the core is compiled once: the newest, which the last one needs.
+last="${versions[-1]:?there is no Python here}"
 scripts/venv.sh build "$last"
 mkdir -p "$into/cmake"
 rm -f "$into/cmake/cmake"
