@@ -32,10 +32,16 @@ COMPLETED = {
     r"^import numpy\.typing$": "import numpy.typing\nimport pandas",
 }
 
+#: The overload of a constructor that takes its arguments, and the one for all others.
+ONE_THAT_REFUSES = re.compile(
+    r" *@overload\n( *def __init__(?:.*\n)+?)\n *@overload\n *def __init__\(self, \*args.*\n"
+)
+
 
 def completed(stub: str) -> str:
-    """Changes imports and signatures, never a docstring. Constructors have one overload: the other refuses."""
-    stub = re.sub(r"\n *@overload\n *def __init__\(self, \*args.*\n|(?<=\n) *@overload\n|(?<=\n)from typing import overload\n", "", stub)
+    """Changes imports and signatures, never a docstring."""
+    stub = ONE_THAT_REFUSES.sub(r"\1", stub)
+    stub = re.sub(r"^from typing import overload\n", "", stub, flags=re.MULTILINE)
     lines = stub.split("\n")
     unused = set(COMPLETED)
     this = ""

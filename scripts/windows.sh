@@ -67,7 +67,7 @@ prepare_python() { # python library OPTION...
         printf 'LIBRARY %s\nEXPORTS\n' "$2"
         x86_64-w64-mingw32-gcc-posix -E -P -I "$folder/include" -include Python.h -include frameobject.h "${@:3}" -x c /dev/null | tr '\n' ' ' |
             grep --only-matching --perl-regexp '__attribute__ ?\(\(dllimport\)\)\K[^;{]*' |
-            sed -E 's/ *__attribute__ *\(\([^)]*\)\)//g; s/^[^(]*\b(_?Py[A-Za-z_0-9]*) *\(.*/\1/; t; s/,/\n/g' |
+            sed -E 's/ *__attribute__ *\(\([^)]*\)\)//g; t names; :names; s/^[^(]*\b(_?Py[A-Za-z_0-9]*) *\(.*/\1/; t; s/,/\n/g' |
             sed -E 's/^.*\b(_?Py[A-Za-z_0-9]*) *(\[.*)?$/\1/' |
             grep --extended-regexp '^_?Py[A-Za-z_0-9]*$' | sort --unique
     } >"$folder/names.def"
