@@ -34,13 +34,16 @@ std::string tension_text(const DrawnEstimate& tension) {
 void print_forces(const CableNet& net, const Identification& result) {
     if (result.force_measurements > 0) {
         say("force measurements: {}, of which {} not used\n", result.force_measurements,
-            result.force_outliers.size());
+            std::ranges::count_if(result.force_outliers, &ForceOutlier::is_left_out));
     }
     for (const ForceOutlier& outlier : result.force_outliers) {
-        say("  {:<12} measured {:.4g} kN, expected {:.4g} kN from everything else\n",
-            net.edge_id(outlier.edge), 1e-3 * outlier.measured, 1e-3 * outlier.expected);
+        say("  {:<12} measured {:.4g} kN, expected {:.4g} kN from everything else{}\n",
+            net.edge_id(outlier.edge), 1e-3 * outlier.measured, 1e-3 * outlier.expected,
+            outlier.is_left_out()
+                ? ""
+                : fmt::format(": left out by {:.0f} % of the priors", 1e2 * outlier.probability));
     }
-    if (result.force_bias) {
+    if (result.force_bias && result.force_bias->is_left_out()) {
         say("  together they contradict the survey, by which tensions are {:.2g} +- {:.2g} times "
             "the measured ones.\n  taut used none of them. Check their unit, their calibration "
             "and the net's stiffness.\n",

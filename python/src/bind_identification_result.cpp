@@ -230,9 +230,10 @@ void bind_checks(nb::class_<Identified>& result) {
          {"force_measurements", "Number of force measurements."},
          {"force_outliers",
           "Force measurements that were left out, the worst first. Of each: edge, measured and "
-          "expected [N], statistic."},
+          "expected [N], statistic, source, mode, and the probability of the priors by which."},
          {"force_bias",
-          "Where all were left out since each is off by the same part: part, std; else None."},
+          "Where all were left out since each is off by the same part: part, std, and the "
+          "probability of the priors by which; else None."},
          {"contradicted_taut", "Edges that were marked taut and contradict the survey."},
          {"contradicted_slack", "Edges that were marked slack and contradict the survey."},
          {"uncertain",

@@ -81,7 +81,7 @@ TAUT_FIELDS(ForceOutlier, edge, measured, expected, statistic, source, mode, pro
 TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
             is_swapped)
 TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, confounded_with)
-TAUT_FIELDS(ForceBias, part, std)
+TAUT_FIELDS(ForceBias, part, std, probability)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths, noise_by_axis)
 TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <string>
 
 #include "identification/parameter_estimates.hpp"
 #include "identification/parameter_spread.hpp"
@@ -42,6 +44,14 @@ std::string source_hint(const ForceOutlier& outlier) {
                : "Check its mode, mass and free length.";
 }
 
+/// Of measurements that some priors alone left out.
+std::string by_some(double probability) {
+    return fmt::format(
+        "By {:.0f} % of the priors taut left it out, by the others it fits: tensions are a mixture "
+        "of both.",
+        1e2 * probability);
+}
+
 bool is_estimated(const Identification& result, UncertainParameter::Kind kind) {
     return std::ranges::any_of(result.uncertain, [kind](const ParameterEstimate& one) {
         return one.parameter.kind == kind;
@@ -65,24 +75,27 @@ void test_forces(CheckedResult& of) {
                                       and_more(marks)),
                 .advice = "Look at those edges again."});
     }
-    if (of.result.force_bias) {
-        of.add({.kind = FindingKind::force_scale,
-                .severity = Verdict::doubtful,
-                .value = of.result.force_bias->part,
-                .std_dev = of.result.force_bias->std_dev,
-                .reason = fmt::format("All force measurements are off by the same part, {:+.0f} "
-                                      "%. taut used none of them.",
-                                      1e2 * of.result.force_bias->part),
-                .advice = "Check their unit and calibration."});
-        return;
+    if (const std::optional<ForceBias>& bias = of.result.force_bias) {
+        of.add(
+            {.kind = FindingKind::force_scale,
+             .severity = Verdict::doubtful,
+             .value = bias->part,
+             .std_dev = bias->std_dev,
+             .reason = fmt::format(
+                 "All force measurements are off by the same part, {:+.0f} %. {}", 1e2 * bias->part,
+                 bias->is_left_out() ? "taut used none of them." : by_some(bias->probability)),
+             .advice = "Check their unit and calibration."});
+        if (bias->is_left_out()) {
+            return;
+        }
     }
-    if (of.result.force_measurements > std::ssize(of.result.force_outliers) &&
+    if (of.result.force_measurements >
+            std::ranges::count_if(of.result.force_outliers, &ForceOutlier::is_left_out) &&
         !is_estimated(of.result, UncertainParameter::Kind::test_loads)) {
         add_given_stiffness(of.trust, of.result, false);
     }
     for (const ForceOutlier& outlier : of.result.force_outliers) {
-        constexpr double all_but_sure = 0.95;
-        const bool by_all = outlier.probability > all_but_sure;
+        const bool by_all = outlier.is_left_out();
         const std::string hint = source_hint(outlier);
         of.add({.kind = FindingKind::force_measurement,
                 .severity = by_all ? Verdict::passed : Verdict::doubtful,
@@ -95,11 +108,7 @@ void test_forces(CheckedResult& of) {
                                                                            : "by the frequency of",
                                       of.net.edge_id(outlier.edge), 1e-3 * outlier.measured,
                                       1e-3 * outlier.expected,
-                                      by_all ? "taut left it out."
-                                             : fmt::format("By {:.0f} % of the priors taut left it "
-                                                           "out, by the others it fits: tensions "
-                                                           "are a mixture of both.",
-                                                           1e2 * outlier.probability)),
+                                      by_all ? "taut left it out." : by_some(outlier.probability)),
                 .advice = by_all ? hint : hint + (hint.empty() ? "" : " ") + "Measure it again."});
     }
 }

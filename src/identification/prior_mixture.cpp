@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -136,6 +137,22 @@ std::vector<ForceOutlier> mixed_outliers(const std::vector<WeightedIdentificatio
     }
     std::ranges::sort(all, std::ranges::greater(), &ForceOutlier::statistic);
     return all;
+}
+
+/// The likeliest part's common error of force measurements, of those that found one.
+std::optional<ForceBias> mixed_bias(const std::vector<WeightedIdentification>& parts) {
+    std::optional<ForceBias> bias;
+    double probability = 0.0;
+    for (const auto& [weight, result] : parts) {
+        if (result.force_bias) {
+            bias = bias ? bias : result.force_bias;
+            probability += weight;
+        }
+    }
+    if (bias) {
+        bias->probability = std::min(probability, 1.0);
+    }
+    return bias;
 }
 
 /// (prior-mixture), of the places of all nodes; nothing where a part has none.
@@ -322,6 +339,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
             [](const StretchLength& one) { return std::pair(one.tension, one.tension_std); });
     }
     result.force_outliers = mixed_outliers(parts);
+    result.force_bias = mixed_bias(parts);
     if (result.frame_offset) {
         result.frame_offset = mixed_frame(parts);
     }

@@ -124,7 +124,9 @@ Description<ForceOutlier> describe(const ForceOutlier* /*type*/) {
 Description<ForceBias> describe(const ForceBias* /*type*/) {
     return Description<ForceBias>("force_bias")
         .key("part", &ForceBias::part)
-        .key("std", &ForceBias::std_dev);
+        .key("std", &ForceBias::std_dev)
+        .newer("probability", &ForceBias::probability, part,
+               "Of the priors by which all were left out for it.");
 }
 
 Description<LengthOutlier> describe(const LengthOutlier* /*type*/) {

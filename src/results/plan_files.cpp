@@ -55,7 +55,7 @@ bool are_likely(const std::vector<LimitBreach>& breaches) {
 }
 
 /// By how much the form of the designed lengths misses the target along its normal, where that is
-/// most of what the plan leaves, and the target is the nodes of the net; else 0 [m].
+/// half of what the plan leaves or more, and the target is the nodes of the net; else 0 [m].
 double missed_by_design(const PlanRecord& record) {
     constexpr double least_force = 0.02;  // of the mean tension, out of balance
     constexpr double least = 1e-4;        // [m]

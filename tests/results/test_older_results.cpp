@@ -45,10 +45,10 @@ TEST(OlderResult, IsReadUnderTheKeysOfToday) {
              {"/form_covariance", "/planned_form_covariance", "/detectable/force_scale",
               "/detectable/load", "/diagnostics/noise_by_axis", "/diagnostics/missing_load",
               "/prior/common/struts", "/epochs/*/load", "/forces/outliers/*/source",
-              "/forces/outliers/*/mode", "/forces/outliers/*/probability", "/order/stages",
-              "/turns/*/tension_after_step", "/turns/*/frequency_after_step", "/target_tensions",
-              "/stretches", "/options/form_tolerance",
-              "/suggested_adjustable/*/tension_rmse_after"}) {
+              "/forces/outliers/*/mode", "/forces/outliers/*/probability",
+              "/forces/bias/probability", "/order/stages", "/turns/*/tension_after_step",
+              "/turns/*/frequency_after_step", "/target_tensions", "/stretches",
+              "/options/form_tolerance", "/suggested_adjustable/*/tension_rmse_after"}) {
             std::erase_if(today, [&](const std::string& key) { return key.starts_with(since); });
         }
         EXPECT_EQ(keys_of(folder / "version_1" / (name + ".json")), today) << name;

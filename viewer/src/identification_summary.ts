@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { counted, excludedTargets, fixed, millimetres, number, rootMeanSquare, short } from "./format";
-import { controlOf, type Identification, type IdentifiedEdge, isElastic, isNotDetermined, isSlack, lengthOf, statusOf } from "./result";
+import { controlOf, type Identification, type IdentifiedEdge, isElastic, isNotDetermined, isSlack, leftOut, lengthOf, statusOf } from "./result";
 import { ellipseWords, nameOf, netWords, priorWords, type Summary } from "./summary_words";
 
 const methodNames: Record<string, string> = {
@@ -91,8 +91,8 @@ function assumedWords({ cable_net, uncertain = [] }: Identification): string {
 /** Force measurements that were excluded, and marks of slack and taut cables that the survey contradicts. */
 function forceWords({ forces }: Identification): string {
   if (!forces) return "";
-  const out = forces.outliers.length;
-  const bias = forces.bias ? `: the survey implies forces ${number(1 - forces.bias.part)} times the measured ones` : "";
+  const out = leftOut(forces.outliers);
+  const bias = forces.bias && (forces.bias.probability ?? 1) > 0.95 ? `: the survey implies forces ${number(1 - forces.bias.part)} times the measured ones` : "";
   const measured = out > 0 ? ` ${out} of ${counted(forces.measurements, "force measurement")} ${out === 1 ? "is" : "are"} excluded${bias}.` : "";
   const marked = (forces.contradicted_taut?.length ?? 0) + (forces.contradicted_slack?.length ?? 0);
   return measured + (marked > 0 ? " The edges marked as slack or taut contradict the survey: taut ignored the marks." : "");

@@ -54,3 +54,8 @@ export function isStrut(net: NetFile, edge: number): boolean {
 export function isElastic(net: NetFile, i: number): boolean {
   return ((net as { support_stiffness?: unknown[] }).support_stiffness?.[i] ?? null) !== null;
 }
+
+/** How many force measurements all but unlikely priors left out. */
+export function leftOut(outliers: readonly { probability?: number }[]): number {
+  return outliers.filter(({ probability }) => (probability ?? 1) > 0.95).length;
+}

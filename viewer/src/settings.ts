@@ -4,7 +4,7 @@
 import { section } from "./dom";
 import { counted, millimetres, number, percent, short } from "./format";
 import { plainTable } from "./plain_table";
-import type { Identification, PlannedTension, Result } from "./result";
+import { type Identification, leftOut, type PlannedTension, type Result } from "./result";
 
 /** The prior of the length deviations as given, and as estimated from the survey. */
 function priorWords(prior: Identification["prior"]): string {
@@ -84,7 +84,7 @@ export function settingsSection(result: Result): HTMLElement {
     for (const one of result.stretches ?? []) add(`cable that slides, edges ${one.ids[0]} to ${one.ids[one.ids.length - 1]}`, `${number(1e3 * one.length_deviation)} mm from the design, standard deviation ${number(1e3 * one.std)} mm; ${number(1e-3 * one.tension)} kN, standard deviation ${number(1e-3 * one.tension_std)} kN`);
     const hung = (result.epochs ?? []).flatMap(({ load }, k) => (load ? [`${number(load * 1e-3)} kN at survey ${k + 1}`] : []));
     if (hung.length > 0) add("known loads hung on the net", hung.join(", "));
-    if (result.forces && result.forces.measurements > 0) add("force measurements", `${result.forces.measurements}, ${result.forces.outliers.length} excluded`);
+    if (result.forces && result.forces.measurements > 0) add("force measurements", `${result.forces.measurements}, ${leftOut(result.forces.outliers)} excluded`);
     if (result.draws) add("posterior samples", `${result.draws.count}: ${result.draws.how}`);
     if (result.draws?.reason) add("no tensions, because", result.draws.reason);
     if (result.mean_tension) {

@@ -19,6 +19,9 @@ struct Outlier {
     int swapped_with = -1;
 };
 
+/// Probability of the priors from which on all of them are meant.
+inline constexpr double all_but_sure = 0.95;
+
 /// A force measurement that contradicts all else.
 struct ForceOutlier {
     int edge = 0;                                 ///< whose force was measured
@@ -28,6 +31,9 @@ struct ForceOutlier {
     ForceSource source = ForceSource::load_cell;  ///< as ForceMeasurement::source
     int mode = 0;                                 ///< as ForceMeasurement::mode
     double probability = 1.0;                     ///< of the priors by which it was left out
+
+    /// Whether all but unlikely priors left it out.
+    [[nodiscard]] bool is_left_out() const { return probability > all_but_sure; }
 };
 
 /// An edge whose length by the survey is an outlier of the prior: mis-cut, most likely.
@@ -63,8 +69,12 @@ struct BoundaryOutlier {
 
 /// Common relative error of all force measurements: a wrong unit or calibration.
 struct ForceBias {
-    double part = 0.0;     ///< they are too high by
-    double std_dev = 0.0;  ///< of that
+    double part = 0.0;         ///< they are too high by
+    double std_dev = 0.0;      ///< of that
+    double probability = 1.0;  ///< of the priors by which all were left out for it
+
+    /// As ForceOutlier::is_left_out().
+    [[nodiscard]] bool is_left_out() const { return probability > all_but_sure; }
 };
 
 /// Probability that a survey without gross errors loses a target by the test. Small, since a lost

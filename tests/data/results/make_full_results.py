@@ -120,7 +120,7 @@ def full_identification(folder, net):
             **edge, "measured": 5000.0, "expected": 4000.0, "statistic": 20.0, "source": "frequency", "mode": 2,
             "probability": 0.5
         }],
-        "bias": {"part": 0.2, "std": 0.01},
+        "bias": {"part": 0.2, "std": 0.01, "probability": 0.5},
         "contradicted_taut": [inner[1]],
         "contradicted_slack": [inner[2]],
     }
