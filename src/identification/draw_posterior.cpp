@@ -173,8 +173,10 @@ void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) 
                                      : 0.0;
             edge.length_deviation = estimate.mean + shift;
             edge.std_dev = estimate.std_dev;
-            edge.lower = std::min(estimate.lower + shift, edge.length_deviation);
-            edge.upper = std::max(estimate.upper + shift, edge.length_deviation);
+            // No further out than the prior reaches, or a sample does.
+            const double reach = std::max(result.length_prior.reach(), drawn.cwiseAbs().maxCoeff());
+            edge.lower = std::min(std::max(estimate.lower, -reach) + shift, edge.length_deviation);
+            edge.upper = std::max(std::min(estimate.upper, reach) + shift, edge.length_deviation);
         }
         const double slack = result.drawn.tensions[edge.edge].slack_probability;
         edge.status = status_of(prior_stds(static_cast<Eigen::Index>(i)),

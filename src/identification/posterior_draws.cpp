@@ -66,6 +66,7 @@ DrawnSummary summary_of(const PosteriorDraws& draws, const CableNet& net,
     }
     const Eigen::VectorXd means = draws.tensions.transpose() * mean_weights(net);
     summary.mean_tension = estimate_of(means);
+    summary.mean_tension.lower = std::max(summary.mean_tension.lower, 0.0);  // of cables
     for (const int node : missing) {
         DrawnPlace place{.node = node};
         for (int k = 0; k < 3; ++k) {

@@ -117,6 +117,7 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
         options.assume_site && survey.is_noisy()
             ? with_site_assumptions(net, options.uncertain, measured_by(options.forces))
             : options.uncertain);
+    progress.throw_if_stopped();
     const Eigen::VectorXd variances = length_variances(planned, prior);
     const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
     const double slip_std = planned.model().common.slip_std();

@@ -330,6 +330,7 @@ epoch_turned_by_a_survey | @epoch survey.csv:survey.csv | survey.csv:
 negative_noise | @no_noise --noise=-1mm | '-1mm'
 noise_to_be_estimated_before_a_survey | inspect net.json --survey survey.csv --noise estimate | --noise estimate
 negative_draws | @no_noise --draws=-1 | -1
+one_draw | @no_noise --draws 1 | draws is 1, expected 0, or 2 to
 more_draws_than_memory | @no_noise --draws 1000000000000 | 1000000000000
 data_for_model | @no_noise --model data.h5 | data.h5
 model_of_another_net | @no_noise --model other_model.h5 | other_model.h5

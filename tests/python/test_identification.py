@@ -5,9 +5,12 @@
 import copy
 import json
 import pickle
+import shutil
 import subprocess
+import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -264,7 +267,10 @@ def test_arguments_that_contradict_each_other_are_refused(net, survey, settings,
             r"identify: uncertain: got dict {}, expected Sequence\[str\]$",
         ),
         ({"draws": 50, "forces": [(1, None, 3)]}, r"forces: got NoneType, expected a force in N"),
-        ({"draws": 50, "uncertain": ["none"], "seed": -1}, "identify: seed: got int -1, .*int, not neg"),
+        (
+            {"draws": 50, "uncertain": ["none"], "seed": -1},
+            "identify: seed: got int -1, .*int, of 0",
+        ),
         ({"model": 1}, "model: got int 1, expected LengthModel"),
         ({"priors": "uniform:5mm"}, "priors: is no argument, expected prior"),
         ({"progress": 3}, "progress: got int, expected a function"),
@@ -317,3 +323,42 @@ def test_progress_is_reported_and_its_exceptions_come_back(net):
 
     with pytest.raises(RuntimeError, match="enough"):
         taut.Sampler(net).draw(50, progress=fails)
+
+
+def test_two_samples_are_unsure_and_their_file_is_read(net, survey, tmp_path):
+    found = taut.identify(net, survey, draws=2)
+    assert found.mean_tension["lower"] >= 0.0
+    widest = found.mean_tension["upper"] - found.mean_tension["lower"]
+    assert widest > 10.0 * found.mean_tension["std"]
+    found.save(tmp_path / "result.json")
+    net.save(tmp_path / "net.json")
+    subprocess.run(
+        [
+            shutil.which("taut", path=Path(sys.executable).parent),
+            "plan",
+            "net.json",
+            "result.json",
+            "--confidence",
+            "0.5",
+            "-o",
+            "plan.json",
+        ],
+        cwd=tmp_path,
+        check=True,
+    )
+    with pytest.raises(ValueError, match="draws is 1, expected 0, or 2 to"):
+        taut.identify(net, survey, draws=1)
+
+
+def test_a_prediction_ends_by_ctrl_c():
+    code = (
+        "import signal, threading, taut\n"
+        "net = taut.hypar(70, 70)\n"
+        "threading.Timer(0.2, signal.raise_signal, [signal.SIGINT]).start()\n"
+        "try:\n"
+        "    taut.inspect(net)\n"
+        "except KeyboardInterrupt:\n"
+        "    print('stopped')\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "stopped\n"
