@@ -317,16 +317,12 @@ Raises:
     net.def_static(
         "from_dict",
         [](const nb::dict& data) {
-            const nb::object to_list =
-                nb::module_::import_("operator").attr("methodcaller")("tolist");
-            const nb::object text =
-                nb::module_::import_("json").attr("dumps")(data, nb::arg("default") = to_list);
-            return parse_net(nb::cast<std::string>(text), "net").net;
+            const auto text = nb::cast<std::string>(of_package("taut.calls", "json_of")(data));
+            return parse_net(text, "data").net;
         },
         nb::arg("data"),
         "A net as to_dict() gives it, with arrays in place of lists where you like: with loads, "
-        "say, "
-        "net.to_dict() | {'loads': loads}."
+        "say, net.to_dict() | {'loads': loads}."
         "\n\nRaises:\n    InputError: at a JSON pointer.");
     net.def_static(
         "load", [](const std::filesystem::path& path) { return read_net(path).net; },

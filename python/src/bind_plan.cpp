@@ -170,7 +170,7 @@ void bind_plan(nb::module_& module) {
                                                  : std::nullopt;
             },
             "Probability that no step of the work breaks a limit that was kept before; None "
-            "without posterior samples.")
+            "without posterior samples, where order has 0 or 1.")
         .def_prop_ro(
             "warnings", [](const Planned& self) { return written(self, &plan_warnings); },
             "Why the plan must not be carried out, the worst first: the first lines of its lists.")

@@ -170,7 +170,7 @@ Args:
                 const Points places = points_argument(form, "form", net.node_count());
                 constexpr double balanced = 1e-3;
                 const Imbalance imbalance = imbalance_of(net, lengths, places);
-                if (imbalance.largest > balanced * imbalance.mean_tension) {
+                if (imbalance.mean_tension > 0.0 && imbalance.share() > balanced) {
                     throw nb::value_error(
                         fmt::format("form: is no equilibrium of unstressed_lengths: up to {:.3g} N "
                                     "are out of balance, the mean tension is {:.3g} N",

@@ -131,7 +131,8 @@ std::vector<SurveyPoint> points_of(const ArrayLike& positions,
             point.noise_std = stds->col(i);
             if (!(stds->col(i).allFinite() && stds->col(i).minCoeff() >= 0.0)) {
                 throw nb::value_error(
-                    fmt::format("noise: got ({}, {}, {}) for point {}, expected 0 or more",
+                    fmt::format("standard deviations: got ({}, {}, {}) for point {}, expected "
+                                "finite ones of 0 or more",
                                 (*stds)(0, i), (*stds)(1, i), (*stds)(2, i), i + 1)
                         .c_str());
             }

@@ -27,7 +27,8 @@ void bind_plan(nb::module_& module);  ///< for bind_adjustment()
 void bind_study(nb::module_& module);
 void bind_interchange(nb::module_& module);
 
-/// Fits any default, when nanobind converts arguments: after all overloads were tried without.
+/// An argument that fits nothing until nanobind converts arguments, and then its default: so an
+/// overload that has it is tried after all others, with conversions, too.
 struct TriedLast {};
 
 /// What a constructor says to arguments that none of its overloads takes: one line.
@@ -38,7 +39,7 @@ void refuse_other_arguments(nb::class_<T>& of) {
         [](T* /*self*/, const nb::args& args, TriedLast /*last*/, const nb::kwargs& kwargs) {
             nb::module_::import_("taut.calls").attr("refuse")(nb::type<T>(), args, kwargs);
         },
-        nb::arg("args"), nb::arg("tried_last") = nb::none(), nb::arg("kwargs"));
+        nb::arg("args"), nb::arg("_") = nb::none(), nb::arg("kwargs"));
 }
 
 /// A function of one of the package's own files, imported when it is first called.

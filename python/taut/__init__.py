@@ -11,6 +11,7 @@
 All numbers are SI: m, N, rad, K. Nodes and edges are numbered from 0.
 """
 
+from functools import partial
 from importlib import import_module
 
 from taut import _taut, calls, notebook
@@ -32,17 +33,23 @@ _taut.Plan._repr_mimebundle_ = notebook.mimebundle
 
 class Sampler(_taut.Sampler):
     __doc__ = _taut.Sampler.__doc__
-    __init__ = calls.keeping_arguments(
-        calls.naming_arguments(_taut.Sampler.__init__, "Sampler")
-    )
-    __reduce__ = calls.made_anew
+    __init__ = calls.naming_arguments(_taut.Sampler.__init__, "Sampler")
+
+    def __new__(cls, *args, **kwargs):
+        self = super().__new__(cls)
+        self._made_of = args, kwargs
+        return self
+
+    def __reduce__(self):
+        args, kwargs = self._made_of
+        return partial(type(self), **kwargs), args
 
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 __all__ = [
     name
     for name in __all__
-    if name not in ("import_module", "calls", "page", "surveys", "notebook")
+    if name not in ("import_module", "partial", "calls", "page", "surveys", "notebook")
 ]
 __all__ += ["__version__", "gradients"]  # noqa: F405 - gp and plot take packages that are optional
 

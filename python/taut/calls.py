@@ -9,6 +9,7 @@ import ast
 import difflib
 import functools
 import inspect
+import json
 import math
 import operator
 import re
@@ -164,15 +165,12 @@ def misfit(function: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
     if not wrong:
         names = ", ".join(f"{name}: {_listed(expected[name])}" for name in given)
         return f"arguments of a wrong type, expected {names}"
-    limits = {
-        name: ", not negative, nor so large"
-        for name in wrong
-        if fits[name] is None and isinstance(given[name], int)
-    }
-    return "; ".join(
-        f"{name}: got {_got(given[name])}, expected {_listed(expected[name])}{limits.get(name, '')}"
-        for name in wrong
-    )
+    texts = [
+        f"{name}: got {_got(given[name])}, expected {_listed(expected[name])}" for name in wrong
+    ]
+    if all(fits[name] is None and isinstance(given[name], int) for name in wrong):
+        texts[-1] += ", of 0 or more, and not so large"
+    return "; ".join(texts)
 
 
 def _with_new_names(
@@ -232,22 +230,12 @@ def naming_arguments(function: Function, name: str | None = None) -> Function:
     return cast("Function", call)
 
 
-def keeping_arguments(init: Function) -> Function:
-    """The same constructor, for objects that made_anew() copies."""
-
-    @functools.wraps(init)
-    def call(self: Any, *args: Any, **kwargs: Any) -> None:
-        init(self, *args, **kwargs)
-        self._given = args, kwargs
-
-    return cast("Function", call)
-
-
-def made_anew(of: Any) -> tuple[Callable[..., Any], tuple[Any, ...]]:
-    """As pickle and copy take an object: by the arguments it was made of."""
-    made_of: Callable[..., Any] = type(of)
-    args, kwargs = of._given
-    return functools.partial(made_of, **kwargs), args
+def json_of(data: Mapping[str, Any]) -> str:
+    """A dict as JSON, with arrays as lists."""
+    try:
+        return json.dumps(data, default=operator.methodcaller("tolist"), allow_nan=False)
+    except (AttributeError, TypeError, ValueError) as error:
+        raise TypeError(f"data: is no JSON: {error}") from None
 
 
 def refuse(of: type, args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
@@ -259,11 +247,14 @@ def naming_arguments_of_methods(of: type) -> None:
     """Does the same to the methods of a class of nanobind; its constructor can be inspected."""
     for name, method in list(vars(of).items()):
         signatures = getattr(method, "__nb_signature__", ())
-        if not signatures or (name.startswith("__") and name != "__init__"):
+        is_constructor = name == "__init__"
+        if not signatures:
+            continue
+        if not is_constructor and (len(signatures) > 1 or name.startswith("__")):
             continue
         if not _is_method(method):
             setattr(of, name, staticmethod(naming_arguments(method, f"{of.__name__}.{name}")))
-        elif name == "__init__":
+        elif is_constructor:
             signature = signature_of(method)
             parameters = list(signature.parameters.values())[1:]
             of.__signature__ = signature.replace(  # type: ignore[attr-defined]

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ def coordinates(points: Iterable[Any] | None) -> Array:
             for point in (() if points is None else points)
         ]
     except TypeError:
-        raise TypeError(f"points: got {points!r}, expected x, y and z of each") from None
+        raise TypeError("points: got no list of points, expected x, y and z of each") from None
     if any(len(row) != 3 for row in rows):
         raise ValueError("points: got other than three coordinates, expected x, y and z of each")
     return np.array(rows, dtype=float).reshape(-1, 3)
@@ -72,8 +73,8 @@ class _Nodes:
 def _of_each(given: ArrayLike, name: str, count: int) -> Array:
     """One number of each line, or one for all."""
     parse = _taut._length_given if name == "unstressed_length" else _taut._force_given
-    texts: Any = [given] if isinstance(given, str) else given
-    if isinstance(texts, Iterable) and any(isinstance(one, str) for one in texts):
+    texts: Any = [given] if np.ndim(given) == 0 else given
+    if np.ndim(texts) == 1 and any(isinstance(one, str) for one in texts):
         if name == "force_density":
             raise TypeError("force_density: got str, expected numbers of N/m")
         given = [parse(one, name) for one in texts]
@@ -122,7 +123,7 @@ def net_from_lines(
     if loads not in ("none", "balance"):
         raise ValueError(f"loads: got {loads!r}, expected 'none' or 'balance'")
     for name, value in {"scale": scale, "tolerance": tolerance}.items():
-        if isinstance(value, str) or not 0.0 < value < float("inf"):
+        if not isinstance(value, Real) or not 0.0 < value < float("inf"):
             raise ValueError(f"{name}: got {value!r}, expected a number above 0")
     nodes = _Nodes(tolerance)
     edges = np.array([[nodes.add(end) for end in ends] for ends in scale * _segments(lines)])

@@ -83,7 +83,7 @@ def _noise(noise: Any, count: int) -> tuple[float | None, NDArray[np.float64] | 
         return float(noise), None
     if np.ma.is_masked(noise):
         raise ValueError("noise: has masked entries, expected a number everywhere")
-    if any(isinstance(one, str) for one in noise):
+    if np.ndim(noise) == 1 and any(isinstance(one, str) for one in noise):
         noise = [_taut._length_given(one, "noise") for one in noise]
     array = np.asarray(noise, dtype=float)
     if array.shape == (3,):
@@ -95,27 +95,31 @@ def _noise(noise: Any, count: int) -> tuple[float | None, NDArray[np.float64] | 
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048, "us-ft": 1200 / 3937}
 
 
-def _text_of(name: str, number: float) -> str:
-    """A number in SI units as on the command line."""
-    if name == "angle":
-        return f"{1e3 * number!r}mrad"
-    if name != "unit":
-        return f"{number!r}m"
-    for unit, size in UNITS.items():
-        if math.isclose(number, size):
-            return unit
-    raise ValueError(f"unit: got {number:g}, expected the metres of one of {', '.join(UNITS)}")
+def _text_of(name: str, value: Any) -> str:
+    """An argument, or a number in SI units, as on the command line."""
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    takes_numbers = name in ("unit", "offset", "angle", "distance")
+    if not takes_numbers or isinstance(value, bool) or not isinstance(value, Real):
+        expected = "text or a number" if takes_numbers else "text"
+        raise TypeError(f"{name}: got {type(value).__name__}, expected {expected}")
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"{name}: got {number}, expected a finite number")
+    if name == "unit":
+        for unit, size in UNITS.items():
+            if math.isclose(number, size, rel_tol=1e-7):
+                return unit
+        raise ValueError(f"unit: got {number:g}, expected the metres of one of {', '.join(UNITS)}")
+    return f"{1e3 * number!r}mrad" if name == "angle" else f"{number!r}m"
 
 
-def _text(name: str, value: object) -> str:
-    numbers = value if name == "offset" and isinstance(value, tuple) else (value,)
-    if name in ("unit", "offset", "angle", "distance") and all(
-        isinstance(one, Real) and not isinstance(one, bool) for one in numbers
-    ):
-        return ":".join(_text_of(name, float(one)) for one in numbers)
-    if not isinstance(value, (str, os.PathLike)):
-        raise TypeError(f"{name}: got {type(value).__name__}, expected text")
-    return os.fspath(value)
+def _text(name: str, value: Any) -> str:
+    if name == "offset" and isinstance(value, (tuple, list)):
+        if len(value) != 2:
+            raise ValueError(f"offset: got {len(value)} numbers, expected offset and deviation")
+        return ":".join(_text_of(name, one) for one in value)
+    return _text_of(name, value)
 
 
 @calls.taking_old_names(control="control_points", range="distance", format="file_format")
@@ -161,7 +165,8 @@ def read_survey(
 
     The rest is for files alone, where these do not say it:
 
-        angle: standard deviation of each direction and zenith angle, '0.3mgon', or a number [rad].
+        angle: standard deviation of each direction and zenith angle, '0.3mgon', or a number
+            [rad]: then angles of the file without a unit are in rad, too.
         distance: standard deviation of each distance, '1mm+1.5ppm', or a number [m].
         file_format: 'table', 'xyz', 'pts', 'gsi', 'landxml', 'jobxml', 'gama', 'dxf'.
         columns: of a table, 'id,x,y,z,sx,sy,sz' in their order, '-' for one to leave out.

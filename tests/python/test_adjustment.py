@@ -279,6 +279,11 @@ def test_target_tensions_are_forces_by_edge_or_an_array(found):
         assert {**one, "edge_id": found.net.edge_id(one["edge"])} == saved
 
 
+def test_a_step_is_a_part_of_a_turn(found):
+    with pytest.raises(ValueError, match=r"step: got 0.*, expected a part of a turn"):
+        taut.plan(found, turn=2e-3, step=0)
+
+
 def test_a_target_tension_may_be_text(found):
     by_text = taut.plan(found, target_tension="250N")
     assert by_text.target_tensions == taut.plan(found, target_tension=250.0).target_tensions

@@ -106,4 +106,6 @@ def test_a_sampler_goes_to_other_processes(net):
     sampler = taut.Sampler(net, "uniform:3mm", seed=7)
     parts = [pickle.loads(pickle.dumps(sampler)).part(k, 2) for k in (2, 0)]
     parts += [copy.copy(sampler).part(4, 1)]
+    with pytest.raises(ValueError, match="count: got 2, expected 5 or more, as data has"):
+        sampler.extend(sampler.draw(5), 2)
     assert same(sampler.joined(parts).form_deviations, sampler.draw(5).form_deviations)

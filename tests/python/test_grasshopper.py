@@ -97,6 +97,14 @@ def test_wrong_arguments_are_named(change, words):
         net_from_lines(**(arguments | {"tension": 10.0} | change))
 
 
+def test_numbers_may_be_text_or_arrays():
+    lines = [[(0, 0, 0), (1, 0, 0)], [(1, 0, 0), (2, 0, 0)]]
+    supports = [(0, 0, 0), (2, 0, 0)]
+    by_text = net_from_lines(lines, supports, "100kN", tension=["10N", 10.0])
+    by_arrays = net_from_lines(lines, supports, np.array(1e5), tension=np.array(10.0))
+    assert by_text == by_arrays
+
+
 @pytest.fixture
 def rhino(monkeypatch):
     """What the scripts take of Rhino, of a drawing in millimetres."""

@@ -365,5 +365,5 @@ def test_a_net_may_be_changed_by_its_dict():
     loads = 2.0 * np.array(net.to_dict()["loads"])
     heavier = taut.CableNet.from_dict(net.to_dict() | {"loads": loads})
     assert heavier.to_dict() == net.to_dict() | {"loads": loads.tolist()}
-    with pytest.raises(ValueError, match="net:/edges"):
+    with pytest.raises(ValueError, match="data:/edges"):
         taut.CableNet.from_dict(net.to_dict() | {"edges": 3})

@@ -101,7 +101,9 @@ masked = np.ma.masked_array(three[0], mask=True)
         (two, {"match": "luck"}, ValueError, "match: got 'luck'"),
         (two, {"decimal": "comma"}, ValueError, "decimal: is for a file, and source holds points"),
         (two, {"unit": 2e-3}, ValueError, "unit: got 0.002, expected the metres of one of mm"),
-        (two, {"unit": True}, TypeError, "unit: got bool, expected text"),
+        (two, {"unit": True}, TypeError, "unit: got bool, expected text or a number"),
+        (two, {"offset": (1e-3,)}, ValueError, "offset: got 1 numbers, expected offset and"),
+        (two, {"offset": np.nan}, ValueError, "offset: got nan, expected a finite number"),
         (two, {"control_points": "absent.csv"}, ValueError, "absent.csv"),
         (7, {}, ValueError, r"source: got shape \(\)"),
         (None, {}, TypeError, "source: got None"),
@@ -199,7 +201,7 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
 def test_standard_deviations_of_an_array_are_numbers(net, positions, wrong):
     stds = np.full(np.shape(positions), 5e-4)
     stds[:, 0] = wrong
-    with pytest.raises(ValueError, match="noise: got .* for point 1, expected"):
+    with pytest.raises(ValueError, match=r"standard deviations: got .* for point 1, expected"):
         taut.read_survey(net, positions, noise=stds)
 
 
@@ -207,3 +209,6 @@ def test_noise_of_each_axis_may_be_text(net, positions):
     by_text = taut.read_survey(net, positions, noise=["0.5mm", "0.5mm", 8e-4])
     by_number = taut.read_survey(net, positions, noise=[5e-4, 5e-4, 8e-4])
     assert np.array_equal(by_text.noise_std, by_number.noise_std)
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(np.full(np.shape(positions), 5e-4), columns=["sx", "sy", "sz"])
+    assert np.all(taut.read_survey(net, positions, noise=table).noise_std[net.free_nodes] == 5e-4)
