@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -99,6 +100,16 @@ TEST(PredictedPrecision, IsWhatIdentificationsThenGive) {
         EXPECT_GT(open, 10);
         EXPECT_NEAR(precision.count(EdgeStatus::not_determined), open, 0.3 * open);
     }
+}
+
+TEST(PredictedPrecision, EndsWhenItIsToStop) {
+    const CableNet net = hypar(4, 4);
+    std::atomic<int> asked = 0;
+    EXPECT_THROW((void)predicted_precision(net, solve_equilibrium(net).form,
+                                           test::planned_survey(net, noise_std), normal_3mm, {},
+                                           {.stop_requested = [&] { return ++asked > 9; }}),
+                 Interrupted);
+    EXPECT_GT(asked, 9);
 }
 
 TEST(PredictedPrecision, AssumesByDefaultWhatIdentifyAssumes) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -146,6 +147,15 @@ TEST(SuggestedMeasurements, AreTheBestOnesOfAllByDifferencesOfEquilibria) {
         EXPECT_NEAR(step.remaining_std, reference.std_with(so_far), 2e-3 * step.remaining_std)
             << to_string(step.kind);
     }
+}
+
+TEST(SuggestedMeasurements, EndWhenTheyAreToStop) {
+    const CableNet net = hypar(3, 3);
+    std::atomic<int> asked = 0;
+    EXPECT_THROW((void)suggested_measurements(
+                     net, solve_equilibrium(net).form, test::planned_survey(net, suggest_noise_std),
+                     suggest_prior, {}, {}, {}, {.stop_requested = [&] { return ++asked > 9; }}),
+                 Interrupted);
 }
 
 TEST(SuggestedMeasurements, OfEachKindGiveWhatTheyPromise) {
