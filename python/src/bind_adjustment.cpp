@@ -76,10 +76,8 @@ Planned planned(const Identified& identified, const std::optional<TargetLike>& t
     for (const auto& [group, part] : stages) {
         request.stages.push_back({.group = group, .part = part});
     }
-    if (step && !(*step > 0.0 && *step <= 1.0)) {
-        throw nb::value_error(
-            fmt::format("step: got {}, expected a part of a turn, above 0 and up to 1", *step)
-                .c_str());
+    if (step == 0.0) {  // which a TurnSize has for none
+        throw nb::value_error("step: got 0, expected a part of a turn");
     }
     if (turn) {
         request.options.turn =

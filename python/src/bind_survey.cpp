@@ -271,6 +271,7 @@ void bind_survey(nb::module_& module) {
     module.def("_length_given", [](const QuantityLike& given, const std::string& name) {
         return length_given(given, name.c_str());
     });
+    module.def("_length_of_unit", &unit_named);
     module.def("_force_given", [](const QuantityLike& given, const std::string& name) {
         return force_given(given, name.c_str());
     });

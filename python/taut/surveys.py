@@ -91,8 +91,8 @@ def _noise(noise: Any, count: int) -> tuple[float | None, NDArray[np.float64] | 
     return None, array
 
 
-#: Metres in each unit of coordinates.
-UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048, "us-ft": 1200 / 3937}
+#: Of coordinates.
+UNITS = ("mm", "cm", "m", "in", "ft", "us-ft")
 
 
 def _text_of(name: str, value: Any) -> str:
@@ -107,8 +107,8 @@ def _text_of(name: str, value: Any) -> str:
     if not math.isfinite(number):
         raise ValueError(f"{name}: got {number}, expected a finite number")
     if name == "unit":
-        for unit, size in UNITS.items():
-            if math.isclose(number, size, rel_tol=1e-7):
+        for unit in UNITS:
+            if math.isclose(number, _taut._length_of_unit(unit), rel_tol=1e-7):
                 return unit
         raise ValueError(f"unit: got {number:g}, expected the metres of one of {', '.join(UNITS)}")
     return f"{1e3 * number!r}mrad" if name == "angle" else f"{number!r}m"

@@ -280,8 +280,9 @@ def test_target_tensions_are_forces_by_edge_or_an_array(found):
 
 
 def test_a_step_is_a_part_of_a_turn(found):
-    with pytest.raises(ValueError, match=r"step: got 0.*, expected a part of a turn"):
-        taut.plan(found, turn=2e-3, step=0)
+    for step, words in [(0, "step: got 0, expected a part"), (-0.25, "step: is -0.25 of a turn")]:
+        with pytest.raises(ValueError, match=words):
+            taut.plan(found, turn=2e-3, step=step)
 
 
 def test_a_target_tension_may_be_text(found):
