@@ -83,7 +83,10 @@ void test_forces(CheckedResult& of) {
              .std_dev = bias->std_dev,
              .reason = fmt::format(
                  "All force measurements are off by the same part, {:+.0f} %. {}", 1e2 * bias->part,
-                 bias->is_left_out() ? "taut used none of them." : by_some(bias->probability)),
+                 bias->is_left_out() ? "taut used none of them."
+                                     : fmt::format("By {:.0f} % of the priors taut used none of "
+                                                   "them: tensions are a mixture of both.",
+                                                   1e2 * bias->probability)),
              .advice = "Check their unit and calibration."});
         if (bias->is_left_out()) {
             return;
