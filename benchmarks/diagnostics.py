@@ -28,7 +28,8 @@ class Case:
                  frame="net", suspects=0, options=(), net=NET, heavy=False, uncertain=(), cells=0, cells_off=0.0,
                  by_axis=(1, 1, 1), hangs=0.0):
         self.by_axis, self.hangs = by_axis, hangs  # factors of the noise; load at each free node, as given [N]
-        self.cells, self.cells_off = cells, cells_off  # load cells: forces measured to 2 %, and all off by a part
+        # Load cells: forces measured to 2 %, and off by a part, the same or each by its own.
+        self.cells, self.cells_off = cells, np.broadcast_to(cells_off, cells)
         self.uncertain = list(uncertain)
         self.name, self.truth, self.given, self.alter, self.survey = name, truth, given, alter, survey
         self.noise, self.given_noise, self.frame = noise, given_noise or noise, frame
@@ -288,6 +289,9 @@ CASES = [
           ("EA of one direction 10 % lower", softer_group(0.1), {}), ("EA 10 % lower, five load cells", softer(0.1), {"cells": 5}),
           *[(f"five load cells{more}", None, {"cells": 5, "cells_off": off})
             for more, off in [("", 0.0), (", all 15 % too high", 0.15), (", all 30 % too high", 0.3)]],
+          *[(f"two load cells{more}", None, {"cells": 2, "cells_off": off})
+            for more, off in [("", 0.0), (", one 40 % too low", (-0.4, 0)), (", one 70 % too low", (-0.7, 0)),
+                              (", one 50 % too high", (0.5, 0))]],
           ("cables bed in", bedding_in(0.3), {}), ("all turnbuckles 1 mm too long", off("adjustable", None, 0.001), {}),
           ("turns that are not given, 5 mm", turned(0.005), {}),
           ("the frame bends by 1 mm", moved_frame(lambda x: 0.004 * x * (1 - x)), {}),
@@ -346,8 +350,8 @@ def try_survey(net, case, folder, seed):
     seen = write_survey(folder / "survey.csv", net.free, place, random)
     words = ["--noise", case.given_noise, *case.options, "--draws", "100"]
     if case.cells:
-        rows = [f"{edge},{tension[edge] * (1 + case.cells_off) * (1 + 0.02 * random.normal())}"
-                for edge in random.choice(len(tension), case.cells, replace=False)]
+        rows = [f"{edge},{tension[edge] * (1 + off) * (1 + 0.02 * random.normal())}"
+                for edge, off in zip(random.choice(len(tension), case.cells, replace=False), case.cells_off)]
         (folder / "forces.csv").write_text("edge,tension\n" + "\n".join(rows) + "\n")
         words += ["--forces", folder / "forces.csv"]
     words += ["--frame", case.frame] if case.frame else []

@@ -26,9 +26,11 @@ std::string detectable_text(const DetectableErrors& errors) {
         const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
         return fmt::format("{} {:.6g} {}", name, std::round(value / digit) * digit, unit_name);
     };
-    const std::string forces = std::isfinite(errors.force_scale)
-                                   ? text(", all forces", errors.force_scale, 1e-2, "%")
-                                   : "";
+    std::string forces;
+    for (const auto& [name, error] :
+         {std::pair(", one force", errors.force), std::pair(", all forces", errors.force_scale)}) {
+        forces += std::isfinite(error) ? text(name, error, 1e-2, "%") : "";
+    }
     return fmt::format("{}, {}, {}, {}, {}, {}, {}{}", text("target", errors.target, 1e-3, "mm"),
                        text("length", errors.length, 1e-3, "mm"),
                        text("turnbuckle", errors.adjustable, 1e-3, "mm"),

@@ -39,9 +39,10 @@ void print_forces(const CableNet& net, const Identification& result) {
     for (const ForceOutlier& outlier : result.force_outliers) {
         say("  {:<12} measured {:.4g} kN, expected {:.4g} kN from everything else{}\n",
             net.edge_id(outlier.edge), 1e-3 * outlier.measured, 1e-3 * outlier.expected,
-            outlier.is_left_out()
-                ? ""
-                : fmt::format(": left out by {:.0f} % of the priors", 1e2 * outlier.probability));
+            outlier.is_left_out() ? ""
+            : outlier.probability > 0.0
+                ? fmt::format(": left out by {:.0f} % of the priors", 1e2 * outlier.probability)
+                : ": kept, but doubted");
     }
     if (result.force_bias && result.force_bias->is_left_out()) {
         say("  together they contradict the survey, by which tensions are {:.2g} +- {:.2g} times "

@@ -229,11 +229,12 @@ void bind_checks(nb::class_<Identified>& result) {
          {"prior_was_given", "Whether a prior was given."},
          {"force_measurements", "Number of force measurements."},
          {"force_outliers",
-          "Force measurements that were left out, the worst first. Of each: edge, measured and "
-          "expected [N], statistic, source, mode, and the probability of the priors by which."},
+          "Force measurements that were left out, or are doubted (probability 0), the worst first. "
+          "Of each: edge, measured and expected [N], statistic, source, mode, and the probability "
+          "of the priors by which it was left out."},
          {"force_bias",
-          "Where all were left out since each is off by the same part: part, std, and the "
-          "probability of the priors by which; else None."},
+          "Where all were left out since each is off by the same part, or are doubted "
+          "(probability 0): part, std, and the probability of the priors by which; else None."},
          {"contradicted_taut", "Edges that were marked taut and contradict the survey."},
          {"contradicted_slack", "Edges that were marked slack and contradict the survey."},
          {"uncertain",

@@ -85,8 +85,8 @@ TAUT_FIELDS(ForceBias, part, std, probability)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths, noise_by_axis)
 TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, outliers)
-TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force_scale,
-            load)
+TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature, force,
+            force_scale, load)
 TAUT_FIELDS(PriorNode, prior, weight)
 TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, struts, struts_std,
             adjustable, adjustable_std)

@@ -5,7 +5,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
 
+#include "estimation/detectable_error.hpp"
 #include "numerics/small_dense.hpp"
 #include "survey/covariance.hpp"
 
@@ -69,6 +73,43 @@ double statistic_at(const Hypothesis& target, const Hypothesis& other, const Sur
                               covariance_of(noise_of(survey, noise, other.index));
     const Eigen::Vector3d residual = survey.form.col(target.index) - place;
     return (residual.transpose() * symmetric_solution(Q, residual)).value() / residual_scale;
+}
+
+/// Statistic from which on force measurements in use, or their common error, are doubted: chance
+/// has one above it once in 1 / doubtful_rate surveys.
+double doubt_threshold(const Hypotheses& hypotheses) {
+    const std::span<const Hypothesis> forces = hypotheses.of(Suspect::force);
+    const bool is_tested = !forces.empty() && std::isfinite(forces[0].threshold);
+    return snooping_threshold(is_tested ? doubtful_rate : 0.0,
+                              forces.size() + hypotheses.of(Suspect::force_scale).size(), 1);
+}
+
+/// Those of a kind in use, as the last fit tested them.
+std::vector<Hypothesis> in_use(const Hypotheses& hypotheses, Suspect kind) {
+    std::vector<Hypothesis> result;
+    std::ranges::copy_if(hypotheses.of(kind), std::back_inserter(result),
+                         [](const Hypothesis& one) {
+                             return one.test == Hypothesis::Test::in_use && !one.is_released();
+                         });
+    return result;
+}
+
+/// What a residual of a force measurement in use, whose covariance is that of its noise less what
+/// the fit knows, is multiplied by to become the difference from all others.
+double of_the_others(const Hypothesis& force, const std::vector<ForceMeasurement>& forces) {
+    constexpr double least = 1e-12;  // of the noise, where nothing else tells that tension
+    const double noise = std::pow(forces[static_cast<size_t>(force.index)].std_dev, 2);
+    return noise / std::max(force.covariance(0, 0), least * noise);
+}
+
+/// Those of them that are doubted, the worst first.
+std::vector<Hypothesis> doubted(const Hypotheses& hypotheses, Suspect kind) {
+    std::vector<Hypothesis> result = in_use(hypotheses, kind);
+    std::erase_if(result, [threshold = doubt_threshold(hypotheses)](const Hypothesis& one) {
+        return !(one.statistic > threshold);
+    });
+    std::ranges::stable_sort(result, std::greater{}, &Hypothesis::statistic);
+    return result;
 }
 
 }  // namespace
@@ -221,23 +262,56 @@ std::vector<Outlier> target_outliers(const Hypotheses& hypotheses, const Survey&
 std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
                                          const std::vector<ForceMeasurement>& forces) {
     std::vector<ForceOutlier> result;
-    for (const Hypothesis& one : hypotheses.found(Suspect::force)) {
-        const ForceMeasurement& force = forces[one.index];
+    const auto add = [&](const Hypothesis& one, double residual, double probability) {
+        const ForceMeasurement& force = forces[static_cast<size_t>(one.index)];
         result.push_back({.edge = force.edge,
                           .measured = force.tension,
-                          .expected = force.tension - one.deviation(0),
+                          .expected = force.tension - residual,
                           .statistic = one.statistic,
                           .source = force.source,
-                          .mode = force.mode});
+                          .mode = force.mode,
+                          .probability = probability});
+    };
+    for (const Hypothesis& one : hypotheses.found(Suspect::force)) {
+        add(one, one.deviation(0), 1.0);
+    }
+    for (const Hypothesis& one : doubted(hypotheses, Suspect::force)) {
+        add(one, one.deviation(0) * of_the_others(one, forces), 0.0);
     }
     return result;
 }
 
 std::optional<ForceBias> force_bias(const Hypotheses& hypotheses) {
-    const std::vector<Hypothesis> found = hypotheses.found(Suspect::force_scale);
-    return found.empty() ? std::nullopt
-                         : std::optional<ForceBias>(
-                               {.part = found[0].deviation(0), .std_dev = found[0].std_dev()(0)});
+    const auto bias_of = [](const std::vector<Hypothesis>& scales, double probability) {
+        return scales.empty() ? std::nullopt
+                              : std::optional<ForceBias>({.part = scales[0].deviation(0),
+                                                          .std_dev = scales[0].std_dev()(0),
+                                                          .probability = probability});
+    };
+    const std::optional<ForceBias> found = bias_of(hypotheses.found(Suspect::force_scale), 1.0);
+    return found ? found : bias_of(doubted(hypotheses, Suspect::force_scale), 0.0);
+}
+
+double detectable_force(const Hypotheses& hypotheses, const std::vector<ForceMeasurement>& forces) {
+    const double bound = std::sqrt(doubt_threshold(hypotheses));
+    std::vector<BoundedEstimate> errors;
+    for (const Hypothesis& one : in_use(hypotheses, Suspect::force)) {
+        const double std_dev = std::sqrt(hypotheses.residual_scale * one.covariance(0, 0)) *
+                               of_the_others(one, forces) /
+                               forces[static_cast<size_t>(one.index)].tension;
+        errors.push_back({.bound = bound * std_dev, .std_dev = std_dev});
+    }
+    return errors.empty() ? std::numeric_limits<double>::infinity() : detectable_error(errors);
+}
+
+double detectable_force_scale(const Hypotheses& hypotheses) {
+    double result = std::numeric_limits<double>::infinity();
+    for (const Hypothesis& one : in_use(hypotheses, Suspect::force_scale)) {
+        const double std_dev = std::sqrt(hypotheses.residual_scale) * one.std_dev()(0);
+        result = detectable_error(std::vector<BoundedEstimate>{
+            {.bound = std::sqrt(doubt_threshold(hypotheses)) * std_dev, .std_dev = std_dev}});
+    }
+    return result;
 }
 
 }  // namespace taut

@@ -56,10 +56,16 @@ void test_forces(Hypotheses& hypotheses, const std::vector<ForceMeasurement>& fo
 /// @param noise as test_targets()
 [[nodiscard]] std::vector<Outlier> target_outliers(const Hypotheses& hypotheses,
                                                    const Survey& survey, const Points& noise);
-/// The rejected force measurements, likewise.
+/// The rejected force measurements, likewise; then those in use that are doubted (doubtful_rate).
 [[nodiscard]] std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
                                                        const std::vector<ForceMeasurement>& forces);
-/// Part by which all force measurements are too high, where they were rejected together for that.
+/// Part by which all force measurements are too high, where they were rejected together for that,
+/// or are doubted.
 [[nodiscard]] std::optional<ForceBias> force_bias(const Hypotheses& hypotheses);
+/// DetectableErrors::force: rejected or doubted; of those in use at the fit.
+[[nodiscard]] double detectable_force(const Hypotheses& hypotheses,
+                                      const std::vector<ForceMeasurement>& forces);
+/// DetectableErrors::force_scale, likewise.
+[[nodiscard]] double detectable_force_scale(const Hypotheses& hypotheses);
 
 }  // namespace taut

@@ -12,6 +12,7 @@
 #include "estimation/length_tests.hpp"
 #include "estimation/marginal_mode.hpp"
 #include "estimation/prior_check.hpp"
+#include "estimation/target_tests.hpp"
 #include "estimation/variance_components.hpp"
 #include "sampling/uncertain_widths.hpp"
 #include "taut/statics/imbalance.hpp"
@@ -135,11 +136,8 @@ DetectableErrors detectable_of(const CableNet& net, const CableNet& fit_net, con
     if (const double temperature = mean / std::abs(expansion); temperature <= largest_difference) {
         result.temperature = temperature;
     }
-    for (const Hypothesis& forces : tested.of(Suspect::force_scale)) {
-        const double std_dev = forces.std_dev()(0);
-        result.force_scale = detectable_error(std::vector<BoundedEstimate>{
-            {.bound = std::sqrt(forces.threshold) * std_dev, .std_dev = std_dev}});
-    }
+    result.force = detectable_force(tested, fit.knowledge.forces.measurements);
+    result.force_scale = detectable_force_scale(tested);
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "identification/parameter_estimates.hpp"
 #include "identification/parameter_spread.hpp"
@@ -44,12 +45,21 @@ std::string source_hint(const ForceOutlier& outlier) {
                : "Check its mode, mass and free length.";
 }
 
-/// Of measurements that some priors alone left out.
-std::string by_some(double probability) {
+/// What taut did with measurements that are named, `out` if all priors contradict them.
+std::string use_of(double probability, std::string_view it, std::string_view out) {
+    if (probability > all_but_sure) {
+        return fmt::format("taut {}.", out);
+    }
+    if (!(probability > 0.0)) {
+        return fmt::format(
+            "Chance makes it so once in {:.0f} surveys. taut kept {}: tensions "
+            "follow {}.",
+            1.0 / doubtful_rate, it, it);
+    }
     return fmt::format(
-        "By {:.0f} % of the priors taut left it out, by the others it fits: tensions are a mixture "
-        "of both.",
-        1e2 * probability);
+        "By {:.0f} % of the priors taut {}, by the others taut kept {}: tensions are a mixture of "
+        "both.",
+        1e2 * probability, out, it);
 }
 
 bool is_estimated(const Identification& result, UncertainParameter::Kind kind) {
@@ -76,18 +86,14 @@ void test_forces(CheckedResult& of) {
                 .advice = "Look at those edges again."});
     }
     if (const std::optional<ForceBias>& bias = of.result.force_bias) {
-        of.add(
-            {.kind = FindingKind::force_scale,
-             .severity = Verdict::doubtful,
-             .value = bias->part,
-             .std_dev = bias->std_dev,
-             .reason = fmt::format(
-                 "All force measurements are off by the same part, {:+.0f} %. {}", 1e2 * bias->part,
-                 bias->is_left_out() ? "taut used none of them."
-                                     : fmt::format("By {:.0f} % of the priors taut used none of "
-                                                   "them: tensions are a mixture of both.",
-                                                   1e2 * bias->probability)),
-             .advice = "Check their unit and calibration."});
+        of.add({.kind = FindingKind::force_scale,
+                .severity = Verdict::doubtful,
+                .value = bias->part,
+                .std_dev = bias->std_dev,
+                .reason = fmt::format(
+                    "All force measurements are off by the same part, {:+.0f} %. {}",
+                    1e2 * bias->part, use_of(bias->probability, "them", "used none of them")),
+                .advice = "Check their unit and calibration."});
         if (bias->is_left_out()) {
             return;
         }
@@ -111,7 +117,7 @@ void test_forces(CheckedResult& of) {
                                                                            : "by the frequency of",
                                       of.net.edge_id(outlier.edge), 1e-3 * outlier.measured,
                                       1e-3 * outlier.expected,
-                                      by_all ? "taut left it out." : by_some(outlier.probability)),
+                                      use_of(outlier.probability, "it", "left it out")),
                 .advice = by_all ? hint : hint + (hint.empty() ? "" : " ") + "Measure it again."});
     }
 }

@@ -121,20 +121,31 @@ LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& par
     return mixed;
 }
 
-/// Force measurements that any part left out, and the probability of the parts that did.
+/// Force measurements that any part left out, and the probability of the parts that did; of those
+/// that are only doubted, what most of them doubt.
 std::vector<ForceOutlier> mixed_outliers(const std::vector<WeightedIdentification>& parts) {
     std::vector<ForceOutlier> all;
     for (const auto& [weight, result] : parts) {
         for (const ForceOutlier& one : result.force_outliers) {
             const auto found = std::ranges::find(all, one.edge, &ForceOutlier::edge);
             if (found != all.end()) {
-                found->probability = std::min(found->probability + weight, 1.0);
+                found->probability = std::min(found->probability + weight * one.probability, 1.0);
             } else {
                 all.push_back(one);
-                all.back().probability = weight;
+                all.back().probability = weight * one.probability;
             }
         }
     }
+    std::erase_if(all, [&](const ForceOutlier& one) {
+        double named_by = 0.0;
+        for (const auto& [weight, result] : parts) {
+            const auto& named = result.force_outliers;
+            const bool is_named =
+                std::ranges::find(named, one.edge, &ForceOutlier::edge) != named.end();
+            named_by += is_named ? weight : 0.0;
+        }
+        return one.probability == 0.0 && named_by < 0.5;
+    });
     std::ranges::sort(all, std::ranges::greater(), &ForceOutlier::statistic);
     return all;
 }
@@ -143,16 +154,18 @@ std::vector<ForceOutlier> mixed_outliers(const std::vector<WeightedIdentificatio
 std::optional<ForceBias> mixed_bias(const std::vector<WeightedIdentification>& parts) {
     std::optional<ForceBias> bias;
     double probability = 0.0;
+    double named_by = 0.0;
     for (const auto& [weight, result] : parts) {
         if (result.force_bias) {
             bias = bias ? bias : result.force_bias;
-            probability += weight;
+            probability += weight * result.force_bias->probability;
+            named_by += weight;
         }
     }
     if (bias) {
         bias->probability = std::min(probability, 1.0);
     }
-    return bias;
+    return probability > 0.0 || named_by > 0.5 ? bias : std::nullopt;
 }
 
 /// (prior-mixture), of the places of all nodes; nothing where a part has none.

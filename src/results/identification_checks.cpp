@@ -63,6 +63,8 @@ Description<DetectableErrors> describe(const DetectableErrors* /*type*/) {
              "Distance of a support from its place [m].")
         .key("scale", TAUT_VALUE(if_finite(it.scale)), size, "Of the survey, relative.")
         .key("temperature", TAUT_VALUE(if_finite(it.temperature)), size, "Of all edges [K].")
+        .newer("force", TAUT_VALUE(if_finite(it.force)), size,
+               "Of one force measurement, relative; null where none is given.")
         .newer("force_scale", TAUT_VALUE(if_finite(it.force_scale)), size,
                "Of all force measurements, relative; null for fewer than two.")
         .newer("load", TAUT_VALUE(if_finite(it.load)), size,
@@ -118,7 +120,7 @@ Description<ForceOutlier> describe(const ForceOutlier* /*type*/) {
         .newer("source", &ForceOutlier::source, "What it was measured by.")
         .newer("mode", &ForceOutlier::mode, "Of the frequency; 0 where there is none.")
         .newer("probability", &ForceOutlier::probability, part,
-               "Of the priors by which it was left out.");
+               "Of the priors by which it was left out; 0 where it was kept, though doubted.");
 }
 
 Description<ForceBias> describe(const ForceBias* /*type*/) {
@@ -126,7 +128,7 @@ Description<ForceBias> describe(const ForceBias* /*type*/) {
         .key("part", &ForceBias::part)
         .key("std", &ForceBias::std_dev)
         .newer("probability", &ForceBias::probability, part,
-               "Of the priors by which all were left out for it.");
+               "Of the priors by which all were left out for it; 0 where they were kept.");
 }
 
 Description<LengthOutlier> describe(const LengthOutlier* /*type*/) {

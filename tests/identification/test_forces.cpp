@@ -174,6 +174,47 @@ TEST(ForceBias, IsFoundFromTheSizeThatIsNamed) {
     EXPECT_NEAR(found, 0.8 * surveys, 0.2 * surveys);
 }
 
+// One cell of two that the form all but contradicts is believed, and doubted.
+TEST(ForceMeasurement, ThatIsKeptIsDoubtedFromTheSizeThatIsNamed) {
+    const CableNet net = hypar(5, 5);
+    constexpr double cell_std = 50.0;  // [N]
+    constexpr int surveys = 40;
+    int named = 0;
+    int kept = 0;
+    int false_alarms = 0;
+    for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
+        const Built truth = built(net, {}, seed);
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal(0.0, cell_std);
+        IdentifyOptions options = options_with({});
+        for (const int edge : {static_cast<int>(seed) % 26, 26}) {
+            options.forces.measurements.push_back({.edge = edge,
+                                                   .tension = truth.tensions(edge) + normal(random),
+                                                   .std_dev = cell_std});
+        }
+        const auto findings = [&] {
+            const Identification result =
+                test::identify_lengths(net, truth.simulated.survey, options);
+            const auto& all = result.trust.findings;
+            kept += static_cast<int>(
+                std::ranges::count(result.force_outliers, 0.0, &ForceOutlier::probability));
+            return std::pair(std::ranges::count(all, Trust::Finding::Kind::force_measurement,
+                                                &Trust::Finding::kind) +
+                                 std::ranges::count(all, Trust::Finding::Kind::force_scale,
+                                                    &Trust::Finding::kind),
+                             result.detectable.force);
+        };
+        const auto [by_chance, size] = findings();
+        false_alarms += by_chance > 0 ? 1 : 0;
+        ASSERT_LT(size, 2.0);
+        options.forces.measurements[0].tension *= 1.0 + size;
+        named += findings().first > 0 ? 1 : 0;
+    }
+    EXPECT_LE(false_alarms, 5);  // two are expected
+    EXPECT_NEAR(named, 0.8 * surveys, 0.15 * surveys);
+    EXPECT_GT(kept, named / 4);  // the others are so large that they are left out
+}
+
 // Five cells that contradict the stiffness are trusted. That they may be wrong instead is named.
 TEST(ForceBias, ThatIsTakenForStiffnessIsNamed) {
     const CableNet net = hypar(6, 6);

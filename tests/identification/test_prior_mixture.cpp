@@ -84,4 +84,20 @@ TEST(PriorMixture, SaysBySomeOfWhichPriorsAForceWasLeftOut) {
     EXPECT_EQ(found[1].probability, 1.0);
 }
 
+TEST(PriorMixture, NamesADoubtedForceWhereMostPriorsDoubtIt) {
+    const CableNet net = hypar(3, 3);
+    const SimulatedSurvey s = simulate(net, {LengthPrior::Kind::uniform, 0.003}, 0.5e-3, 4);
+    Identification narrow = test::identify_lengths(net, s.survey, {});
+    Identification wide = narrow;
+    narrow.force_outliers = {{.edge = 3, .statistic = 9.0, .probability = 0.0}};
+    narrow.force_bias = ForceBias{.part = 0.1, .std_dev = 0.04, .probability = 0.0};
+    const Identification mostly = mixture_of(net, s.survey, {{0.75, narrow}, {0.25, wide}}, 0);
+    ASSERT_EQ(mostly.force_outliers.size(), 1U);
+    EXPECT_EQ(mostly.force_outliers[0].probability, 0.0);
+    ASSERT_TRUE(mostly.force_bias);
+    const Identification hardly = mixture_of(net, s.survey, {{0.75, wide}, {0.25, narrow}}, 0);
+    EXPECT_TRUE(hardly.force_outliers.empty());
+    EXPECT_FALSE(hardly.force_bias);
+}
+
 }  // namespace

@@ -116,6 +116,7 @@ function smallestErrorWords(found: Detectable | undefined): string {
     entry("length", found.length, "mm", 1e3), entry("turnbuckle", found.adjustable, "mm", 1e3), entry("support", found.support, "mm", 1e3),
     entry("target", found.target, "mm", 1e3), entry("scale", found.scale, "ppm", 1e6), entry("temperature", found.temperature, "K"),
     ...(found.load === undefined ? [] : [entry("load at each node", found.load, "N")]),
+    ...(found.force ? [entry("one force", found.force, "%", 1e2)] : []),
     ...(found.force_scale ? [entry("all forces", found.force_scale, "%", 1e2)] : []),
   ];
   const [shown, never] = [all.filter(([, size]) => size), all.filter(([, size]) => !size).map(([name]) => name)];

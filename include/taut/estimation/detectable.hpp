@@ -24,6 +24,8 @@ struct DetectableErrors {
     /// Difference of temperature of all interior edges, with 12e-6/K where the net gives no
     /// expansion; infinite above 100 K, which no site has [K].
     double temperature = std::numeric_limits<double>::infinity();
+    /// Of one force measurement, relative [-].
+    double force = std::numeric_limits<double>::infinity();
     /// Of all force measurements, by the same part; infinite for fewer than two [-].
     double force_scale = std::numeric_limits<double>::infinity();
     /// Vertical, at each free node, besides the loads given; infinite above the mean tension [N].

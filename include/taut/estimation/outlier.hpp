@@ -22,7 +22,8 @@ struct Outlier {
 /// Probability of the priors from which on all of them are meant.
 inline constexpr double all_but_sure = 0.95;
 
-/// A force measurement that contradicts all else.
+/// A force measurement that contradicts all else: left out, or kept though the difference is larger
+/// than chance makes the largest of all once in twenty surveys (doubtful_rate).
 struct ForceOutlier {
     int edge = 0;                                 ///< whose force was measured
     double measured = 0.0;                        ///< [N]
@@ -30,7 +31,7 @@ struct ForceOutlier {
     double statistic = 0.0;                       ///< squared difference in its variances
     ForceSource source = ForceSource::load_cell;  ///< as ForceMeasurement::source
     int mode = 0;                                 ///< as ForceMeasurement::mode
-    double probability = 1.0;                     ///< of the priors by which it was left out
+    double probability = 1.0;  ///< of the priors by which it was left out; 0: it was kept
 
     /// Whether all but unlikely priors left it out.
     [[nodiscard]] bool is_left_out() const { return probability > all_but_sure; }
@@ -67,15 +68,20 @@ struct BoundaryOutlier {
     int confounded_with = -1;
 };
 
-/// Common relative error of all force measurements: a wrong unit or calibration.
+/// Common relative error of all force measurements: a wrong unit or calibration. Left out or kept
+/// as a ForceOutlier.
 struct ForceBias {
-    double part = 0.0;         ///< they are too high by
-    double std_dev = 0.0;      ///< of that
-    double probability = 1.0;  ///< of the priors by which all were left out for it
+    double part = 0.0;     ///< they are too high by
+    double std_dev = 0.0;  ///< of that
+    double probability =
+        1.0;  ///< of the priors by which all were left out for it; 0: all were kept
 
     /// As ForceOutlier::is_left_out().
     [[nodiscard]] bool is_left_out() const { return probability > all_but_sure; }
 };
+
+/// Probability that measurements without gross errors are doubted, though kept.
+inline constexpr double doubtful_rate = 0.05;
 
 /// Probability that a survey without gross errors loses a target by the test. Small, since a lost
 /// target can cost the edges around it their determination, while real gross errors stand far above

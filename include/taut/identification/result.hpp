@@ -174,7 +174,7 @@ struct Identification {
     bool prior_was_given = false;  ///< false: the default, or the model's
 
     int force_measurements = 0;                ///< how many were given
-    std::vector<ForceOutlier> force_outliers;  ///< left out, the worst first
+    std::vector<ForceOutlier> force_outliers;  ///< left out or doubted, the worst first
     /// Where all were left out, since they fit only if each is off by the same part.
     std::optional<ForceBias> force_bias;
     /// Edges marked taut though the survey contradicts it: then no marks are used.

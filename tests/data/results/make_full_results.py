@@ -107,7 +107,7 @@ def full_identification(folder, net):
         "fit": {"rms": 1e-4, "count": 1}, "control": control,
     }
     result["prior"]["common"].update(struts=0.0002, struts_std=0.0003)
-    result["detectable"].update(adjustable=0.004, support=0.009, temperature=12.0, force_scale=0.25, load=12.0)
+    result["detectable"].update(adjustable=0.004, support=0.009, temperature=12.0, force=0.4, force_scale=0.25, load=12.0)
     result["diagnostics"].update(boundary=boundary, boundary_not_released=1)
     result["diagnostics"]["prior"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
     result["diagnostics"]["length_outliers"] = [
