@@ -52,7 +52,7 @@ def log_likelihood(inputs, output, length_scale, signal_var, noise_var):
 def fit_taut(inputs, outputs):
     from taut.gp import MultiOutputGP
 
-    model = MultiOutputGP(max_spectra=12).fit(inputs, outputs)
+    model = MultiOutputGP().fit(inputs, outputs)
     return model.length_scale_, model.signal_std_**2, model.noise_std_**2
 
 
