@@ -18,6 +18,7 @@ import time
 import jax
 import jax.numpy as jnp
 import numpy as np
+import taut
 from jax_fdm.datastructures import FDNetwork
 from jax_fdm.equilibrium import (
     EquilibriumModelSparse,
@@ -26,15 +27,13 @@ from jax_fdm.equilibrium import (
     LoadState,
 )
 from page_block import show
-
-import taut
 from taut.gradients import jax_form
 
 jax.config.update("jax_enable_x64", True)
 
 
 def seconds(call, argument):
-    """Median of one call, compiled before; each with another argument, since taut keeps solutions."""
+    """Median of a call, compiled before. Each with another argument: taut keeps solutions."""
     jax.block_until_ready(call(argument))
     random = np.random.default_rng(1)
     times = []
@@ -68,6 +67,10 @@ def fdm_form(net):
     return form, jnp.array((tensions / lengths)[own])
 
 
+def with_gradient(form, target):
+    return jax.value_and_grad(lambda at: ((form(at) - target) ** 2).sum())
+
+
 def rows():
     for size in (10, 30, 60):
         net = taut.hypar(size, size)
@@ -77,12 +80,10 @@ def rows():
         lengths = jnp.array(net.unstressed_lengths)
         for place in (of_taut(lengths), of_fdm[0](of_fdm[1])):
             np.testing.assert_allclose(place, places, atol=1e-6)  # both find the design
-        times = [
-            (seconds(jax.jit(form), at),
-             seconds(jax.jit(jax.value_and_grad(lambda x, form=form: ((form(x) - target) ** 2).sum())), at))
-            for form, at in ((of_taut, lengths), of_fdm)
-        ]  # fmt: skip
-        (form, both), (fdm, fdm_both) = times
+        (form, both), (fdm, fdm_both) = (
+            (seconds(jax.jit(of), at), seconds(jax.jit(with_gradient(of, target)), at))
+            for of, at in ((of_taut, lengths), of_fdm)
+        )
         yield (
             f"| {len(net.free_nodes)} | {1e3 * form:.2f} | {1e3 * both:.2f} | {1e3 * fdm:.2f} | "
             f"{1e3 * fdm_both:.2f} | {fdm_both / both:.1f} |"
