@@ -99,7 +99,16 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         )
         self._is_flat = targets.ndim == 1
         outputs = np.asarray(targets, dtype=np.float64).reshape(len(inputs), -1)
-        is_constant = np.ptp(outputs, axis=0) == 0.0
+        largest = np.abs(outputs).max(axis=0)
+        spread = np.ptp(outputs, axis=0)
+        # Squares must neither overflow nor vanish.
+        wrong = np.flatnonzero((largest > 1e100) | ((spread > 0.0) & (spread < 1e-100)))
+        if wrong.size:
+            raise ValueError(
+                f"y: output {wrong[0]} has numbers up to {largest[wrong[0]]:.3g} that differ by "
+                f"{spread[wrong[0]]:.3g}, expected at most 1e100 and at least 1e-100: scale it"
+            )
+        is_constant = spread == 0.0
         self._mean = np.where(self.normalize_y | is_constant, outputs.mean(axis=0), 0.0)
         self._processes = fit(
             inputs,

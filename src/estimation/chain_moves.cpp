@@ -43,16 +43,25 @@ std::vector<SlackLength> slack_lengths(const ChainTarget& target, const Iterate&
     return result;
 }
 
+/// Above this bound erfc is near the smallest number, and a standard normal number z has the tail
+/// exp(-z^2 / 2) / z, to a part of 1 / z^2.
+constexpr double far_bound = 35.0;
+
 /// Logarithm of the density of a standard normal number above a bound, up to a constant.
 double log_density_above(double from, double z) {
-    return z > from ? -0.5 * z * z - std::log(std::erfc(from / std::numbers::sqrt2))
-                    : -std::numeric_limits<double>::infinity();
+    const double root = std::numbers::sqrt2;
+    const double log_above =
+        from < far_bound ? std::log(std::erfc(from / root))
+                         : -0.5 * from * from - std::log(from / root * std::sqrt(std::numbers::pi));
+    return z > from ? -0.5 * z * z - log_above : -std::numeric_limits<double>::infinity();
 }
 
 /// A standard normal number above a bound.
 double drawn_above(double from, RandomNumbers& random) {
     const double root = std::numbers::sqrt2;
-    return root * boost::math::erfc_inv(random.uniform() * std::erfc(from / root));
+    return from < far_bound
+               ? root * boost::math::erfc_inv(random.uniform() * std::erfc(from / root))
+               : std::sqrt(from * from - 2.0 * std::log(random.uniform()));
 }
 
 }  // namespace

@@ -161,6 +161,12 @@ void Hypotheses::release_outliers(Suspect kind) {
     }
 }
 
+void Hypotheses::release_forces() {
+    for (Hypothesis& force : of(Suspect::force)) {
+        force.state = State::released_for_good;
+    }
+}
+
 void Hypotheses::set_pair(Hypothesis& pair, bool is_released) {
     const std::span<Hypothesis> lengths = of(Suspect::length);
     lengths[pair.index].state = State::in_use;
@@ -266,9 +272,7 @@ bool Hypotheses::release_force(double than) {
     }
     worst->state = State::released;
     if (worst->kind == Suspect::force_scale) {
-        for (Hypothesis& force : of(Suspect::force)) {
-            force.state = State::released_for_good;
-        }
+        release_forces();
     }
     return true;
 }

@@ -120,6 +120,8 @@ public:
     void readmit_all();
     /// Releases what is above its threshold of a kind, whether it stands out or not.
     void release_outliers(Suspect kind);
+    /// Leaves out all force measurements in use, for good.
+    void release_forces();
     /// Releases a pair of lengths, or restores its priors; neither edge is released by itself then.
     void set_pair(Hypothesis& pair, bool is_released);
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "estimation/length_tests.hpp"
 #include "estimation/other_explanations.hpp"
@@ -135,6 +137,26 @@ bool try_others(const FitProblem& problem, Explanation& best) {
     return tests_boundary || best.hypotheses.released_count(Family::boundary) > 0;
 }
 
+/// Tests of the force measurements in use at a fit without them; nothing where there are none, or
+/// it does not converge.
+std::optional<Hypotheses> tests_without_forces(const FitProblem& problem, const Explanation& best) {
+    const std::vector<int> left_out = best.hypotheses.released(Suspect::force);
+    if (!best.is_sound() || !best.hypotheses.is_active(Family::forces) ||
+        left_out.size() == best.hypotheses.of(Suspect::force).size()) {
+        return std::nullopt;
+    }
+    Hypotheses none = best.hypotheses;
+    none.release_forces();
+    FitState start = nominal_state(problem);
+    start.slack = Assumed(problem, none).measured_slack(1.0);
+    Explanation without = fit(problem, std::move(none), std::move(start));
+    if (!without.is_sound()) {
+        return std::nullopt;
+    }
+    test_hypotheses(problem, without);
+    return std::move(without.hypotheses);
+}
+
 }  // namespace
 
 SurveyFit fit_survey(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
@@ -159,6 +181,7 @@ SurveyFit fit_survey(const CableNet& net, const Survey& survey, const PriorKnowl
         cost = std::numeric_limits<double>::infinity();
         best.hypotheses.release_outliers(Suspect::target);
     }
+    const std::optional<Hypotheses> without = tests_without_forces(problem, best);
     const Assumed assumed(problem, best.hypotheses);
     return {.at = {std::move(best.at.iterate), std::move(*best.linearisation),
                    std::move(best.covariance)},
@@ -170,7 +193,8 @@ SurveyFit fit_survey(const CableNet& net, const Survey& survey, const PriorKnowl
             .observations = assumed.observations(),
             .tolerance = problem.tolerance(),
             .outliers = target_outliers(best.hypotheses, problem.survey, problem.noise),
-            .force_outliers = force_outliers(best.hypotheses, knowledge.forces.measurements),
+            .force_outliers = force_outliers(best.hypotheses, knowledge.forces.measurements,
+                                             without ? &*without : nullptr),
             .length_outliers = length_outliers(best.hypotheses, net, knowledge.priors)};
 }
 

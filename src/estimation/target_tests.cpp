@@ -260,7 +260,8 @@ std::vector<Outlier> target_outliers(const Hypotheses& hypotheses, const Survey&
 }
 
 std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
-                                         const std::vector<ForceMeasurement>& forces) {
+                                         const std::vector<ForceMeasurement>& forces,
+                                         const Hypotheses* without) {
     std::vector<ForceOutlier> result;
     const auto add = [&](const Hypothesis& one, double residual, double probability) {
         const ForceMeasurement& force = forces[static_cast<size_t>(one.index)];
@@ -277,6 +278,17 @@ std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
     }
     for (const Hypothesis& one : doubted(hypotheses, Suspect::force)) {
         add(one, one.deviation(0) * of_the_others(one, forces), 0.0);
+    }
+    if (without != nullptr) {
+        const double threshold = doubt_threshold(hypotheses);
+        for (const Hypothesis& one : without->found(Suspect::force)) {
+            const int edge = forces[static_cast<size_t>(one.index)].edge;
+            const bool is_named =
+                std::ranges::find(result, edge, &ForceOutlier::edge) != result.end();
+            if (!is_named && one.statistic > threshold) {
+                add(one, one.deviation(0), 0.0);
+            }
+        }
     }
     return result;
 }

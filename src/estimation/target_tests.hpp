@@ -57,8 +57,11 @@ void test_forces(Hypotheses& hypotheses, const std::vector<ForceMeasurement>& fo
 [[nodiscard]] std::vector<Outlier> target_outliers(const Hypotheses& hypotheses,
                                                    const Survey& survey, const Points& noise);
 /// The rejected force measurements, likewise; then those in use that are doubted (doubtful_rate).
+/// @param without tests of the same at a fit without any of them, or null: a fit that follows a
+///   precise measurement far away is linearised there, and its tests may find nothing
 [[nodiscard]] std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
-                                                       const std::vector<ForceMeasurement>& forces);
+                                                       const std::vector<ForceMeasurement>& forces,
+                                                       const Hypotheses* without);
 /// Part by which all force measurements are too high, where they were rejected together for that,
 /// or are doubted.
 [[nodiscard]] std::optional<ForceBias> force_bias(const Hypotheses& hypotheses);

@@ -87,6 +87,13 @@ def test_samples_have_the_mean_and_spread_that_are_predicted(data):
     assert np.array_equal(draws, model.sample_y(at, n_samples=4000, random_state=3))
 
 
+@pytest.mark.parametrize("scale", [1e101, 1e-200])
+def test_outputs_whose_squares_are_no_numbers_are_refused(data, scale):
+    inputs, outputs = data
+    with pytest.raises(ValueError, match="scale it"):
+        MultiOutputGP().fit(inputs, np.column_stack([outputs[:, 0], scale * outputs[:, 0]]))
+
+
 def test_it_works_in_a_pipeline(data):
     inputs, outputs = data
     scaled = make_pipeline(StandardScaler(), MultiOutputGP()).fit(inputs, outputs[:, :2])
