@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Value and gradient of a function of a net's form, by taut and by JAX FDM, in one run.
 
-The function is the squared distance of the free nodes from other places. taut finds the form of
+The function is the squared distance of the nodes from other places. taut finds the form of
 elastic cables of given unstressed lengths, which takes several linear systems; its gradient is by
 these lengths. JAX FDM finds the form for given force densities, which is one linear system; its
 gradient is by these. Both through JAX, compiled, float64.
@@ -47,7 +47,7 @@ def seconds(call, argument):
 
 
 def fdm_form(net):
-    """Free places for force densities, and those of the design."""
+    """Places of the nodes for force densities, and the force densities of the design."""
     places, edges = np.array(net.nodes), np.array(net.edges)
     network = FDNetwork.from_nodes_and_edges(places.tolist(), edges.tolist())
     for node in np.setdiff1d(np.arange(len(places)), net.free_nodes):

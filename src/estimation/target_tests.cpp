@@ -94,12 +94,12 @@ std::vector<Hypothesis> in_use(const Hypotheses& hypotheses, Suspect kind) {
     return result;
 }
 
-/// What a residual of a force measurement in use, whose covariance is that of its noise less what
-/// the fit knows, is multiplied by to become the difference from all others.
-double of_the_others(const Hypothesis& force, const std::vector<ForceMeasurement>& forces) {
+/// Variance of the difference of a force measurement in use from what all others say [N2]. That of
+/// its residual is the noise less what the fit knows, so their ratio is noise / residual.
+double variance_by_others(const Hypothesis& force, double std_dev) {
     constexpr double least = 1e-12;  // of the noise, where nothing else tells that tension
-    const double noise = std::pow(forces[static_cast<size_t>(force.index)].std_dev, 2);
-    return noise / std::max(force.covariance(0, 0), least * noise);
+    const double noise = std_dev * std_dev;
+    return noise * noise / std::max(force.covariance(0, 0), least * noise);
 }
 
 /// Those of them that are doubted, the worst first.
@@ -277,7 +277,8 @@ std::vector<ForceOutlier> force_outliers(const Hypotheses& hypotheses,
         add(one, one.deviation(0), 1.0);
     }
     for (const Hypothesis& one : doubted(hypotheses, Suspect::force)) {
-        add(one, one.deviation(0) * of_the_others(one, forces), 0.0);
+        const double std_dev = forces[static_cast<size_t>(one.index)].std_dev;
+        add(one, one.deviation(0) * variance_by_others(one, std_dev) / (std_dev * std_dev), 0.0);
     }
     if (without != nullptr) {
         const double threshold = doubt_threshold(hypotheses);
@@ -308,10 +309,14 @@ double detectable_force(const Hypotheses& hypotheses, const std::vector<ForceMea
     const double bound = std::sqrt(doubt_threshold(hypotheses));
     std::vector<BoundedEstimate> errors;
     for (const Hypothesis& one : in_use(hypotheses, Suspect::force)) {
-        const double std_dev = std::sqrt(hypotheses.residual_scale * one.covariance(0, 0)) *
-                               of_the_others(one, forces) /
-                               forces[static_cast<size_t>(one.index)].tension;
-        errors.push_back({.bound = bound * std_dev, .std_dev = std_dev});
+        const ForceMeasurement& force = forces[static_cast<size_t>(one.index)];
+        const double size = std::abs(force.tension);  // a compressed strut's is negative
+        if (size > 0.0) {
+            const double std_dev =
+                std::sqrt(hypotheses.residual_scale * variance_by_others(one, force.std_dev)) /
+                size;
+            errors.push_back({.bound = bound * std_dev, .std_dev = std_dev});
+        }
     }
     return errors.empty() ? std::numeric_limits<double>::infinity() : detectable_error(errors);
 }

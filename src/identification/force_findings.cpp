@@ -52,8 +52,7 @@ std::string use_of(double probability, std::string_view it, std::string_view out
     }
     if (!(probability > 0.0)) {
         return fmt::format(
-            "Chance makes it so once in {:.0f} surveys. taut kept {}: tensions "
-            "follow {}.",
+            "Chance does so in fewer than one of {:.0f} surveys. taut kept {}: tensions follow {}.",
             1.0 / doubtful_rate, it, it);
     }
     return fmt::format(

@@ -41,26 +41,14 @@ TEST(OlderResult, IsReadUnderTheKeysOfToday) {
     };
     for (const std::string name : {"study", "identification", "comparison", "plan", "control"}) {
         std::set<std::string> today = keys_of(folder / ("full_" + name + ".json"));
-        for (const std::string_view since : {"/form_covariance",
-                                             "/planned_form_covariance",
-                                             "/detectable/force_scale",
-                                             "/detectable/force",
-                                             "/detectable/load",
-                                             "/diagnostics/noise_by_axis",
-                                             "/diagnostics/missing_load",
-                                             "/prior/common/struts",
-                                             "/epochs/*/load",
-                                             "/forces/outliers/*/source",
-                                             "/forces/outliers/*/mode",
-                                             "/forces/outliers/*/probability",
-                                             "/forces/bias/probability",
-                                             "/order/stages",
-                                             "/turns/*/tension_after_step",
-                                             "/turns/*/frequency_after_step",
-                                             "/target_tensions",
-                                             "/stretches",
-                                             "/options/form_tolerance",
-                                             "/suggested_adjustable/*/tension_rmse_after"}) {
+        for (const std::string_view since :
+             {"/form_covariance", "/planned_form_covariance", "/detectable/force",
+              "/detectable/load", "/diagnostics/noise_by_axis", "/diagnostics/missing_load",
+              "/prior/common/struts", "/epochs/*/load", "/forces/outliers/*/source",
+              "/forces/outliers/*/mode", "/forces/outliers/*/probability",
+              "/forces/bias/probability", "/order/stages", "/turns/*/tension_after_step",
+              "/turns/*/frequency_after_step", "/target_tensions", "/stretches",
+              "/options/form_tolerance", "/suggested_adjustable/*/tension_rmse_after"}) {
             std::erase_if(today, [&](const std::string& key) { return key.starts_with(since); });
         }
         EXPECT_EQ(keys_of(folder / "version_1" / (name + ".json")), today) << name;
