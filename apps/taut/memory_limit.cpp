@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "memory_limit.hpp"
 
-#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -15,6 +13,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "taut/net/units.hpp"
+
 #ifdef __linux__
 #include <sys/resource.h>
 #endif
@@ -22,18 +22,8 @@
 namespace taut::app {
 namespace {
 
-struct MemoryUnit {
-    std::string_view name;
-    double bytes;
-};
 constexpr double mebibyte = 1024.0 * 1024.0;
 constexpr double gibibyte = 1024.0 * mebibyte;
-constexpr std::array memory_units{MemoryUnit{"TiB", 1024.0 * gibibyte},
-                                  MemoryUnit{"GiB", gibibyte},
-                                  MemoryUnit{"MiB", mebibyte},
-                                  MemoryUnit{"TB", 1e12},
-                                  MemoryUnit{"GB", 1e9},
-                                  MemoryUnit{"MB", 1e6}};
 
 struct Limit {
     double bytes;
@@ -105,6 +95,18 @@ void keep_to(std::uint64_t /*bytes*/) {
 }
 #endif
 
+double bytes_of(const std::string& text) {
+    try {
+        if (const double bytes = parse_memory(text); bytes > 0.0) {
+            return bytes;
+        }
+    } catch (const std::invalid_argument&) {  // the same refusal
+    }
+    throw std::invalid_argument(
+        fmt::format("--memory is '{}', expected a number with MB, MiB, GB, GiB, TB or TiB: 8GiB",
+                    text.substr(0, 40)));
+}
+
 }  // namespace
 
 #ifdef __wasi__
@@ -113,25 +115,8 @@ bool keeps_memory_limit() noexcept {
 }
 #endif
 
-std::uint64_t parse_memory(std::string_view text) {
-    constexpr double most = 1152921504606846976.0;  // 2^60
-    double number = 0.0;
-    const auto [end, error] =
-        fast_float::from_chars(text.data(), text.data() + text.size(), number);
-    std::string_view unit = text.substr(static_cast<size_t>(end - text.data()));
-    unit.remove_prefix(std::min(unit.size(), unit.find_first_not_of(' ')));
-    for (const auto& [name, bytes] : memory_units) {
-        if (error == std::errc() && unit == name && number > 0.0 && number * bytes <= most) {
-            return static_cast<std::uint64_t>(number * bytes);
-        }
-    }
-    throw std::invalid_argument(
-        fmt::format("--memory is '{}', expected a number with MB, MiB, GB, GiB, TB or TiB: 8GiB",
-                    text.substr(0, 40)));
-}
-
 void limit_memory(const std::string& text, int threads) {
-    const std::uint64_t bytes = parse_memory(text);
+    const auto bytes = static_cast<std::uint64_t>(bytes_of(text));
     const std::string shown = text.substr(0, 40);
     const double reserve = of_thread * threads;
     const double least = memory_in_use() + reserve;

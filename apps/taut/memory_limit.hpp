@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,14 +10,10 @@
 /// work.
 namespace taut::app {
 
-/// Bytes of "8GiB", "500 MB", "1.5GB".
-/// @throws std::invalid_argument for other text, and for what is no more than 0 or beyond 2^60
-[[nodiscard]] std::uint64_t parse_memory(std::string_view text);
-
 /// From now on this process's writable memory stays within so much (Linux: RLIMIT_DATA).
 /// @param text as parse_memory() takes it
 /// @param threads that will work
-/// @throws std::invalid_argument as parse_memory(), where the program holds too much before its
+/// @throws std::invalid_argument for other text and for 0 or less, where the program holds too much before its
 ///   work begins, and on systems without such a limit
 void limit_memory(const std::string& text, int threads);
 

@@ -57,6 +57,10 @@ TAUT_API void taut_set_progress(taut_progress report, void* data);
 /* Largest number of threads of all calls; 0: one a core. */
 TAUT_API taut_status taut_set_threads(int count);
 
+/* Most bytes that each call may take for its large arrays: matrices, data sets, posterior samples.
+ * One that needs more ends with TAUT_FAILED. 0: no limit. */
+TAUT_API taut_status taut_set_memory_limit(double bytes);
+
 /* A net file (net.json), its text, or a built-in net ("hypar:9x9"). */
 TAUT_API taut_net* taut_read_net(const char* file);
 TAUT_API taut_net* taut_parse_net(const char* json);

@@ -8,12 +8,15 @@
 #include <string>
 #include <utility>
 
+#include "taut/memory.hpp"
+#include "taut/net/units.hpp"
 #include "taut/threads.hpp"
 
 namespace taut::python {
 namespace {
 
 std::atomic<int> given_threads = 0;
+std::atomic<double> given_memory = 0.0;  ///< [bytes]; 0: any
 
 /// One process has one handler of a signal.
 std::atomic<bool> was_interrupted = false;
@@ -41,6 +44,24 @@ void set_threads(int threads) {
 
 int threads() {
     return given_threads;
+}
+
+void set_memory_limit(const std::optional<std::variant<double, std::string>>& limit) {
+    if (!limit) {
+        given_memory = 0.0;
+        return;
+    }
+    const auto* const text = std::get_if<std::string>(&*limit);
+    const double bytes = text != nullptr ? parse_memory(*text) : std::get<double>(*limit);
+    if (!(bytes > 0.0)) {
+        throw nb::value_error("limit: expected more than 0 bytes, or None");
+    }
+    given_memory = bytes;
+}
+
+std::optional<double> memory_limit() {
+    const double bytes = given_memory;
+    return bytes > 0.0 ? std::optional(bytes) : std::nullopt;
 }
 
 InterruptScope::InterruptScope() {
@@ -105,10 +126,14 @@ void warn(const std::string& warning) {
 }
 
 void with_given_threads(const std::function<void()>& work) {
-    if (given_threads > 0) {
-        with_threads(given_threads, work);
+    std::function<void()> within = work;
+    if (const double bytes = given_memory; bytes > 0.0) {
+        within = [&, bytes] { with_memory(bytes, work); };
+    }
+    if (const int threads = given_threads; threads > 0) {
+        with_threads(threads, within);
     } else {
-        work();
+        within();
     }
 }
 

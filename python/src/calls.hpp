@@ -13,6 +13,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "taut/progress.hpp"
 
@@ -24,6 +25,10 @@ namespace nb = nanobind;
 /// @throws nb::value_error below 0
 void set_threads(int threads);
 [[nodiscard]] int threads();
+/// @param limit of each call: bytes, or text as in 8GiB; nothing: none
+/// @throws nb::value_error, std::invalid_argument for 0 or less, and for other text
+void set_memory_limit(const std::optional<std::variant<double, std::string>>& limit);
+[[nodiscard]] std::optional<double> memory_limit();
 
 /// While one lives in the main thread, Ctrl-C is noticed by stop_requested(), and raised as
 /// KeyboardInterrupt by whoever asks Python for signals afterwards.

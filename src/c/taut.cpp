@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -46,6 +47,7 @@
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/cable_vibration.hpp"
+#include "taut/memory.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"
 
@@ -97,7 +99,8 @@ struct Caller {
     taut_status status = TAUT_OK;
     taut_progress report = nullptr;
     void* data = nullptr;
-    int threads = 0;  ///< 0: any number
+    int threads = 0;      ///< 0: any number
+    double memory = 0.0;  ///< [bytes]; 0: any
 };
 
 Caller& caller() {
@@ -144,12 +147,18 @@ taut_status guarded(const Call& call) noexcept {
     caller().status = TAUT_OK;
     caller().message.clear();
     try {
+        std::function<void()> work = call;
+        if (const double memory = caller().memory; memory > 0.0) {
+            work = [memory, inner = std::move(work)] { taut::with_memory(memory, inner); };
+        }
         if (const int threads = caller().threads; threads > 0) {
-            taut::with_threads(threads, call);
+            taut::with_threads(threads, work);
         } else {
-            call();
+            work();
         }
         return TAUT_OK;
+    } catch (const taut::MemoryLimitExceeded& error) {
+        return failed(TAUT_FAILED, error.what());
     } catch (const std::bad_alloc&) {
         return failed(TAUT_FAILED, "not enough memory");
     } catch (const std::exception& error) {
@@ -512,6 +521,15 @@ taut_status taut_set_threads(int count) {
             throw std::invalid_argument(fmt::format("{} threads, expected 0 or more", count));
         }
         caller().threads = count;
+    });
+}
+
+taut_status taut_set_memory_limit(double bytes) {
+    return guarded([&] {
+        if (!(bytes >= 0.0)) {
+            throw std::invalid_argument(fmt::format("{} bytes, expected 0 or more", bytes));
+        }
+        caller().memory = bytes;
     });
 }
 

@@ -7,9 +7,18 @@
 #include <vector>
 
 #include "estimation/linearisation.hpp"
+#include "numerics/memory_budget.hpp"
 #include "numerics/parallel.hpp"
 
 namespace taut {
+namespace {
+
+/// Of a covariance of so many numbers, and of its transpose.
+MemoryCharge charge_covariance(Eigen::Index count) {
+    return charge_numbers(2.0 * static_cast<double>(count * count));
+}
+
+}  // namespace
 
 Covariance Linearisation::covariance() const {
     const StaticsNumbering& numbers = m_model->numbering();
@@ -128,6 +137,7 @@ Eigen::VectorXd Linearisation::covariances_with(const Eigen::VectorXd& weights,
 Eigen::MatrixXd Linearisation::evidence_covariance(int common_count) const {
     const std::vector<int>& edges = m_model->net().interior_edges();
     const auto lengths = static_cast<int>(std::ssize(edges));
+    const MemoryCharge charge = charge_covariance(lengths + common_count);
     Eigen::MatrixXd result(lengths + common_count, lengths + common_count);
     parallel_for(0, lengths + common_count, [&](int k) {
         BorderedFactor::Vector unit = empty_vector();
@@ -146,6 +156,7 @@ Eigen::MatrixXd Linearisation::joint_covariance() const {
     const Eigen::Index places = Eigen::Index{3} * m_model->net().node_count();
     const Eigen::Index lengths = std::ssize(edges);
     const Eigen::Index count = places + lengths + m_model->common.count();
+    const MemoryCharge charge = charge_covariance(count);
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
     const auto set_column = [&](Eigen::Index column, const BorderedFactor::Vector& unit,
                                 double unit_length) {
@@ -180,6 +191,7 @@ Eigen::MatrixXd Linearisation::joint_covariance() const {
 
 Eigen::MatrixXd Linearisation::length_covariance(const std::vector<int>& edges) const {
     const auto count = std::ssize(edges);
+    const MemoryCharge charge = charge_covariance(count);
     Eigen::MatrixXd result(count, count);
     parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
         BorderedFactor::Vector unit = empty_vector();

@@ -51,6 +51,12 @@ void FoundLambdas::forget_unused() {
     std::erase_if(spectra, [&](const auto& spectrum) {
         return std::ranges::find(best, spectrum.first, &BestLambda::log_lambda) == best.end();
     });
+    double numbers = 0.0;
+    for (const auto& [log_lambda, spectrum] : spectra) {
+        numbers += static_cast<double>(spectrum.eigenvectors.size());
+    }
+    charge = {};
+    charge = charge_numbers(numbers);
 }
 
 FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
@@ -71,6 +77,10 @@ FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
         found.decompositions = made;
         const bool is_last = made == settings.max_spectra;  // no slope will be asked for
         const std::vector<size_t> mine = share_of(looks.size());
+        // Of each the correlations, their eigenvectors, as much room for the decomposition, and the
+        // rates of the correlations.
+        const MemoryCharge at_work =
+            charge_numbers(4.0 * static_cast<double>(squared_distances.size() * std::ssize(mine)));
         std::vector<Seen> seen(mine.size());
         parallel_for(size_t{0}, seen.size(), [&](size_t i) {
             const LengthScaleSearch::Look& look = looks[mine[i]];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gp/likelihood_profile.hpp"
+#include "numerics/memory_budget.hpp"
 #include "taut/gp/fit.hpp"
 
 namespace taut::gp {
@@ -40,6 +41,7 @@ struct FoundLambdas {
     std::map<double, KernelSpectrum> spectra = {};
     int decompositions = 0;
     bool is_converged = true;  ///< FittedProcesses
+    MemoryCharge charge = {};  ///< of the spectra
 
     /// Drops the spectra that are the best of no output.
     void forget_unused();

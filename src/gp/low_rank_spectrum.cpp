@@ -9,6 +9,7 @@
 
 #include "gp/correlation_product.hpp"
 #include "numerics/dense.hpp"
+#include "numerics/memory_budget.hpp"
 #include "numerics/random_numbers.hpp"
 #include "numerics/small_dense.hpp"
 #include "taut/gp/kernel.hpp"
@@ -105,6 +106,7 @@ KernelSpectrum low_rank_spectrum(const Eigen::Ref<const Eigen::MatrixXd>& inputs
     const Eigen::Index n = inputs.cols();
     const double rounding = rounding_of(n);
     const std::vector<Eigen::Index> part = spread_part(n, rank);
+    const MemoryCharge at_work = charge_numbers(4.0 * static_cast<double>(n * rank));
     // First S are columns of I: products with them are columns of R, and cost next to nothing.
     Eigen::MatrixXd columns =
         correlation(squared_distances(inputs, inputs(Eigen::all, part)), inverse_length_scale);

@@ -160,11 +160,14 @@ int draws_wanted(const CableNet& net, const IdentifyOptions& options) {
     return options.draws.value_or(default_draws(net));
 }
 
+double numbers_of_draw(const CableNet& net) {
+    // Lengths, form and tensions, and as much again of the uncertain parameters. Twice while they
+    // are collected, but for what is the same in all draws: measured, 2.5 times.
+    return 3.0 * (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
+}
+
 void check_draws(const CableNet& net, std::int64_t draws) {
-    // A draw is in memory twice while it is written.
-    const double bytes_a_draw =
-        2.0 * sizeof(double) *
-        (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
+    const double bytes_a_draw = sizeof(double) * numbers_of_draw(net);
     const double most = std::min(platform::physical_memory() / bytes_a_draw, 2147483647.0);
     if (draws < 0 || draws == 1 || static_cast<double>(draws) > most) {
         throw std::invalid_argument(fmt::format(

@@ -22,6 +22,9 @@ struct MethodChoice {
 /// Number of posterior samples: as given, or default_draws().
 [[nodiscard]] int draws_wanted(const CableNet& net, const IdentifyOptions& options);
 
+/// Numbers that a posterior sample holds while samples are drawn.
+[[nodiscard]] double numbers_of_draw(const CableNet& net);
+
 /// @throws std::invalid_argument for one of an edge that slides: the tension of its stretch is a
 ///   parameter of the fit, which no measurement of one edge tests
 void check_forces_on_runs(const CableNet& net, const Forces& forces);

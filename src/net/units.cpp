@@ -35,6 +35,13 @@ constexpr std::array stresses{Unit{.name = "Pa"},
                               Unit{.name = ""}};
 constexpr std::array parts{Unit{.name = "%", .per_base = 1e2}};
 constexpr std::array temperatures{Unit{.name = "K"}};
+constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+constexpr std::array memory{Unit{.name = "MB", .bases = 1e6},
+                            Unit{.name = "MiB", .bases = gibibyte / 1024.0},
+                            Unit{.name = "GB", .bases = 1e9},
+                            Unit{.name = "GiB", .bases = gibibyte},
+                            Unit{.name = "TB", .bases = 1e12},
+                            Unit{.name = "TiB", .bases = 1024.0 * gibibyte}};
 
 /// More than anything built has, in every SI unit.
 constexpr double largest_quantity = 1e15;
@@ -105,6 +112,11 @@ std::string format_length_exactly(double metres) {
 
 double parse_part(std::string_view text) {
     return parse_quantity(text, parts, "percentage: expected a number and %, as in 5%");
+}
+
+double parse_memory(std::string_view text) {
+    return parse_quantity(
+        text, memory, "size of memory: expected a number with MB, MiB, GB, GiB, TB or TiB: 8GiB");
 }
 
 double parse_temperature(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 
+#include "numerics/memory_budget.hpp"
 #include "platform/platform.hpp"
 
 namespace taut {
@@ -16,7 +17,8 @@ class Buffer {
 public:
     Buffer() = default;
     explicit Buffer(std::size_t count)
-        : m_memory(static_cast<double*>(::operator new(count * sizeof(double), alignment(count))),
+        : m_charge(charge_numbers(static_cast<double>(count))),
+          m_memory(static_cast<double*>(::operator new(count * sizeof(double), alignment(count))),
                    Free(alignment(count))),
           m_count(count) {
         if (count * sizeof(double) >= large_page) {
@@ -40,6 +42,7 @@ private:
         void operator()(double* memory) const { ::operator delete(memory, alignment); }
     };
 
+    MemoryCharge m_charge;
     std::unique_ptr<double, Free> m_memory;
     std::size_t m_count = 0;
 };

@@ -10,6 +10,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <memory>
 #else
 #include <functional>
 #include <optional>
@@ -21,6 +22,8 @@
 #undef near
 #endif
 
+#include "numerics/memory_budget.hpp"
+
 /// All that runs in parallel, on the threads of oneTBB. Where taut was built without it
 /// (TAUT_WITH_TBB), the same runs on the calling thread, one after the other.
 namespace taut {
@@ -30,12 +33,21 @@ namespace taut {
 /// Calls body(index) for first .. last - 1, in any order.
 template <class Index, class Body>
 void parallel_for(Index first, Index last, const Body& body) {
-    tbb::parallel_for(first, last, body);
+    const std::shared_ptr<MemoryBudget> budget = memory_budget();
+    tbb::parallel_for(first, last, [&](Index index) {
+        const BudgetScope scope(budget);
+        body(index);
+    });
 }
 
 template <class First, class Second>
 void parallel_invoke(const First& first, const Second& second) {
-    tbb::parallel_invoke(first, second);
+    const std::shared_ptr<MemoryBudget> budget = memory_budget();
+    const auto within = [&](const auto& work) {
+        const BudgetScope scope(budget);
+        work();
+    };
+    tbb::parallel_invoke([&] { within(first); }, [&] { within(second); });
 }
 
 /// Calls work, during which a thread that waits takes up nothing from outside.

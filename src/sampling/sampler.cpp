@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "numerics/memory_budget.hpp"
 #include "numerics/parallel.hpp"
 #include "sampling/uncertain_widths.hpp"
 #include "shared_work.hpp"
@@ -39,6 +40,13 @@ void resize(DataSet& data, int count) {
     data.length_deviations.conservativeResize(Eigen::NoChange, count);
     data.statuses.resize(count);
     data.slack_counts.resize(count);
+}
+
+/// Of so many samples: a data set that grows is for a moment there twice.
+MemoryCharge charge_samples(const DataSet& data, int count) {
+    return charge_numbers(
+        2.0 * static_cast<double>(data.form_deviations.rows() + data.length_deviations.rows()) *
+        count);
 }
 
 /// An empty data set of the same sizes.
@@ -197,6 +205,7 @@ void Sampler::extend_to(DataSet& data, int count, const Progress& progress,
                         const std::function<void()>& after_block) const {
     using Clock = std::chrono::steady_clock;
     require_same("net, prior, seed or uncertain", m_state->fingerprint());
+    const MemoryCharge charge = charge_samples(data, count);
     int done = broadcast(data.size());
     int block = 16 * process_group().size();
     while (done < count) {
@@ -228,6 +237,7 @@ SamplePart Sampler::part(int first, int count, const Progress& progress) const {
                         count, first));
     }
     SamplePart part{.first = first, .samples = no_samples()};
+    const MemoryCharge charge = charge_samples(part.samples, count);
     progress("sampling", 0, count);
     draw_block(part.samples, first, count, progress);
     progress("sampling", count, count);

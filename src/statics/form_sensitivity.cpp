@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numerics/memory_budget.hpp"
 #include "statics/edge_state.hpp"
 #include "statics/length_rates.hpp"
 #include "statics/sliding.hpp"
@@ -292,6 +293,8 @@ Eigen::VectorXd FormSensitivity::apply_second_transposed(
 Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
     const Factor& f = *m_factor;
     check_edges(f.lengths.size(), edges);
+    const MemoryCharge charge =
+        charge_numbers(static_cast<double>(f.net.loads.size()) * static_cast<double>(edges.size()));
     Eigen::MatrixXd result(f.net.loads.size(), static_cast<Eigen::Index>(edges.size()));
     for (size_t k = 0; k < edges.size(); ++k) {
         result.col(static_cast<Eigen::Index>(k)) =

@@ -231,6 +231,10 @@ static void check_refusals(void) {
     double* lengths = calloc(taut_edge_count(net), sizeof *lengths);
     CHECK(taut_equilibrium(net, lengths, form, NULL) == TAUT_WRONG_INPUT);
     CHECK(taut_set_threads(-1) == TAUT_WRONG_INPUT);
+    CHECK(taut_set_memory_limit(-1.0) == TAUT_WRONG_INPUT);
+    taut_set_memory_limit(1e4);
+    CHECK(fails(taut_identify(net, survey, NULL), TAUT_FAILED, "the call needs"));
+    taut_set_memory_limit(0.0);
     int calls = 0;
     taut_set_progress(stop_at_once, &calls);
     CHECK(fails(taut_identify(net, survey, NULL), TAUT_INTERRUPTED, "interrupted"));

@@ -40,6 +40,11 @@ namespace taut {
 /// @throws std::invalid_argument for anything else, including a bare number, naming the text
 [[nodiscard]] TAUT_CORE_EXPORT double parse_part(std::string_view text);
 
+/// A size of memory, "8GiB", "500 MB": a number and MB, MiB, GB, GiB, TB or TiB.
+/// @return [bytes]
+/// @throws std::invalid_argument for anything else, including a bare number, naming the text
+[[nodiscard]] TAUT_CORE_EXPORT double parse_memory(std::string_view text);
+
 /// A temperature difference, "10K".
 /// @return [K]
 /// @throws std::invalid_argument for anything else, including a bare number, naming the text
