@@ -13,7 +13,8 @@ namespace taut::app {
 /// From now on this process's writable memory stays within so much (Linux: RLIMIT_DATA).
 /// @param text as parse_memory() takes it
 /// @param threads that will work
-/// @throws std::invalid_argument for other text and for 0 or less, where the program holds too much before its
+/// @throws std::invalid_argument for other text and for 0 or less, where the program holds too much
+/// before its
 ///   work begins, and on systems without such a limit
 void limit_memory(const std::string& text, int threads);
 

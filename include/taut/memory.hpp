@@ -31,7 +31,7 @@ private:
 
 /// Does the work with at most so much memory in taut, and returns when it is done. What counts are
 /// the large arrays: factors and inverses of matrices, spectra of kernels, data sets, covariances
-/// and posterior samples, before they are made. They are nearly all that taut takes for large nets
+/// and posterior samples, before they are made. They are most of what taut takes for large nets
 /// and many samples; vectors of one number for each node or edge are not counted. An array that is
 /// returned counts until the work is done, or as long as it lives. Calls in other threads of the
 /// program have limits of their own; inside another such limit both hold.

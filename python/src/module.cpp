@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
 
 #include <exception>
 #include <stdexcept>
@@ -84,11 +86,10 @@ NB_MODULE(_taut, module) {
         "keeps its own.");
     module.def("threads", &threads,
                "Number of threads that each call uses; 0: all of the machine.");
-    module.def(
-        "set_memory_limit", &set_memory_limit, nb::arg("limit").none(),
-        "Sets how much memory each call of taut may take from now on for its large arrays: "
-        "matrices, data sets and posterior samples. A call that needs more raises "
-        "MemoryError.\n\nArgs:\n    limit: bytes, or text such as \"8GiB\"; None: no limit");
+    module.def("set_memory_limit", &set_memory_limit, nb::arg("limit").none(),
+               "Sets how much memory each call of taut may take from now on for its large arrays: "
+               "matrices, data sets and posterior samples. A call that needs more raises "
+               "MemoryError.\n\nArgs:\n    limit: bytes, or text such as \"8GiB\"; None: no limit");
     module.def("memory_limit", &memory_limit, "Bytes that each call may take; None: no limit.");
     bind_net(module);
     bind_statics(module);

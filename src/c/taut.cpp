@@ -40,6 +40,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/io/read_survey.hpp"
 #include "taut/io/turned_csv.hpp"
+#include "taut/memory.hpp"
 #include "taut/net/units.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/results/plan_files.hpp"
@@ -47,7 +48,6 @@
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/cable_vibration.hpp"
-#include "taut/memory.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"
 

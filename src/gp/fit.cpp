@@ -144,9 +144,9 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     // Of many inputs a part shows as well how far all are apart, and where lambda lies.
     const std::vector<Eigen::Index> part =
         spread_part(n, is_decomposed ? n : std::min(settings.most_decomposed, inputs_to_search));
-    const MemoryCharge charge =
-        charge_numbers(static_cast<double>(inputs.size()) + 2.0 * static_cast<double>(outputs.size()) +
-                       static_cast<double>(std::ssize(part) * std::ssize(part)));
+    const MemoryCharge charge = charge_numbers(
+        static_cast<double>(inputs.size()) + 2.0 * static_cast<double>(outputs.size()) +
+        static_cast<double>(std::ssize(part) * std::ssize(part)));
     const Eigen::MatrixXd distances = squared_distances(inputs(Eigen::all, part));
     const LambdaSearchSettings search =
         search_settings(settings, input_spread(inputs(Eigen::all, part), distances), n);

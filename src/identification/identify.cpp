@@ -23,9 +23,10 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     const LengthPrior prior =
         options.prior.value_or(options.model != nullptr ? options.model->prior : LengthPrior());
     const auto [method, reason] = checked_method(net, survey, prior, options);
-    const MemoryCharge of_draws(method == IdentificationMethod::map
-                                    ? charge_numbers(numbers_of_draw(net) * draws_wanted(net, options))
-                                    : MemoryCharge());
+    const MemoryCharge of_draws(
+        method == IdentificationMethod::map
+            ? charge_numbers(numbers_of_draw(net) * draws_wanted(net, options))
+            : MemoryCharge());
     std::vector<UncertainParameter> assumed = with_slips(net, options.uncertain);
     IdentifyOptions used = options;
     used.uncertain = assumed;

@@ -36,12 +36,10 @@ constexpr std::array stresses{Unit{.name = "Pa"},
 constexpr std::array parts{Unit{.name = "%", .per_base = 1e2}};
 constexpr std::array temperatures{Unit{.name = "K"}};
 constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
-constexpr std::array memory{Unit{.name = "MB", .bases = 1e6},
-                            Unit{.name = "MiB", .bases = gibibyte / 1024.0},
-                            Unit{.name = "GB", .bases = 1e9},
-                            Unit{.name = "GiB", .bases = gibibyte},
-                            Unit{.name = "TB", .bases = 1e12},
-                            Unit{.name = "TiB", .bases = 1024.0 * gibibyte}};
+constexpr std::array memory{
+    Unit{.name = "MB", .bases = 1e6},  Unit{.name = "MiB", .bases = gibibyte / 1024.0},
+    Unit{.name = "GB", .bases = 1e9},  Unit{.name = "GiB", .bases = gibibyte},
+    Unit{.name = "TB", .bases = 1e12}, Unit{.name = "TiB", .bases = 1024.0 * gibibyte}};
 
 /// More than anything built has, in every SI unit.
 constexpr double largest_quantity = 1e15;

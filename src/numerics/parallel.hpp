@@ -30,14 +30,20 @@ namespace taut {
 
 #if !defined(TAUT_WITHOUT_TBB)
 
-/// Calls body(index) for first .. last - 1, in any order.
+/// Calls body(index) for first .. last - 1, in any order: for all of them, or it throws. A loop
+/// that is inside another one is not cancelled with it, as oneTBB's are: it would return with a
+/// part of its work undone, and what follows it would not know.
 template <class Index, class Body>
 void parallel_for(Index first, Index last, const Body& body) {
     const std::shared_ptr<MemoryBudget> budget = memory_budget();
-    tbb::parallel_for(first, last, [&](Index index) {
-        const BudgetScope scope(budget);
-        body(index);
-    });
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::parallel_for(
+        first, last,
+        [&](Index index) {
+            const BudgetScope scope(budget);
+            body(index);
+        },
+        context);
 }
 
 template <class First, class Second>
@@ -47,7 +53,8 @@ void parallel_invoke(const First& first, const Second& second) {
         const BudgetScope scope(budget);
         work();
     };
-    tbb::parallel_invoke([&] { within(first); }, [&] { within(second); });
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::parallel_invoke([&] { within(first); }, [&] { within(second); }, context);
 }
 
 /// Calls work, during which a thread that waits takes up nothing from outside.
@@ -69,7 +76,11 @@ inline int arena_size() {
 template <class Work>
 void limit_threads(int threads, const Work& work) {
     // An arena allocates memory for each thread, and oneTBB fails for very large numbers.
-    tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
+    const std::shared_ptr<MemoryBudget> budget = memory_budget();
+    tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute([&] {
+        const BudgetScope scope(budget);  // it may be another thread
+        work();
+    });
 }
 
 #else
