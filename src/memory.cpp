@@ -13,10 +13,13 @@ namespace taut {
 
 MemoryLimitExceeded::MemoryLimitExceeded(double needed, double limit) noexcept {
     constexpr double mebibyte = 1024.0 * 1024.0;
+    constexpr double gibibyte = 1024.0 * mebibyte;
+    const bool is_large = limit >= gibibyte;
+    const double unit = is_large ? gibibyte : mebibyte;
     const auto end = fmt::format_to_n(
         m_text.data(), m_text.size() - 1,
-        "not enough memory: the call needs {:.5g} MiB or more, and may take {:.5g} MiB",
-        needed / mebibyte, limit / mebibyte);
+        "not enough memory: the call needs {1:.5g} {0} or more, and may take {2:.5g} {0}",
+        is_large ? "GiB" : "MiB", needed / unit, limit / unit);
     *end.out = '\0';
 }
 

@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -95,16 +95,23 @@ void keep_to(std::uint64_t /*bytes*/) {
 }
 #endif
 
-double bytes_of(const std::string& text) {
-    try {
-        if (const double bytes = parse_memory(text); bytes > 0.0) {
-            return bytes;
-        }
-    } catch (const std::invalid_argument&) {  // the same refusal
-    }
-    throw std::invalid_argument(
+std::invalid_argument refusal_of(const std::string& text) {
+    return std::invalid_argument(
         fmt::format("--memory is '{}', expected a number with MB, MiB, GB, GiB, TB or TiB: 8GiB",
                     text.substr(0, 40)));
+}
+
+double bytes_of(const std::string& text) {
+    double bytes = 0.0;
+    try {
+        bytes = parse_memory(text);
+    } catch (const std::invalid_argument&) {
+        throw refusal_of(text);
+    }
+    if (!(bytes > 0.0)) {
+        throw refusal_of(text);
+    }
+    return bytes;
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ namespace taut::app {
 /// @param text as parse_memory() takes it
 /// @param threads that will work
 /// @throws std::invalid_argument for other text and for 0 or less, where the program holds too much
-/// before its
-///   work begins, and on systems without such a limit
+///   before its work begins, and on systems without such a limit
 void limit_memory(const std::string& text, int threads);
 
 /// The limit, to end a message with: " (--memory is 1.5 GiB)", or nothing. Allocates nothing.

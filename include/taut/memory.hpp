@@ -32,9 +32,9 @@ private:
 /// Does the work with at most so much memory in taut, and returns when it is done. What counts are
 /// the large arrays: factors and inverses of matrices, spectra of kernels, data sets, covariances
 /// and posterior samples, before they are made. They are most of what taut takes for large nets
-/// and many samples; vectors of one number for each node or edge are not counted. An array that is
-/// returned counts until the work is done, or as long as it lives. Calls in other threads of the
-/// program have limits of their own; inside another such limit both hold.
+/// and many samples; vectors of one number for each node or edge are not counted. What a call
+/// has returned is no longer counted. Calls in other threads of the program have limits of their
+/// own; inside another such limit both hold.
 /// @param bytes more than 0
 /// @param work called once, in the calling thread; may not be empty
 /// @throws std::invalid_argument for other bytes; MemoryLimitExceeded, and what the work throws

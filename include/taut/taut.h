@@ -30,7 +30,7 @@ extern "C" {
 /* How a call ended. The values are the exit codes of the program. */
 typedef enum taut_status {
     TAUT_OK = 0,
-    TAUT_FAILED = 1,      /* no solution: no equilibrium, no convergence, limits that cannot hold */
+    TAUT_FAILED = 1,      /* no equilibrium, no convergence, limits that cannot hold, no memory */
     TAUT_WRONG_INPUT = 2, /* a file, an argument or an option; the message names it */
     TAUT_INTERRUPTED = 130
 } taut_status;
@@ -54,11 +54,11 @@ TAUT_API taut_status taut_last_status(void);
 typedef int (*taut_progress)(const char* work, int done, int total, void* data);
 TAUT_API void taut_set_progress(taut_progress report, void* data);
 
-/* Largest number of threads of all calls; 0: one a core. */
+/* Largest number of threads of the later calls of this thread; 0: one a core. */
 TAUT_API taut_status taut_set_threads(int count);
 
-/* Most bytes that each call may take for its large arrays: matrices, data sets, posterior samples.
- * One that needs more ends with TAUT_FAILED. 0: no limit. */
+/* Most bytes that each later call of this thread may take for its large arrays: matrices, data
+ * sets, posterior samples. One that needs more ends with TAUT_FAILED. 0: no limit. */
 TAUT_API taut_status taut_set_memory_limit(double bytes);
 
 /* A net file (net.json), its text, or a built-in net ("hypar:9x9"). */

@@ -120,7 +120,7 @@ void bind_data_set(nb::module_& module) {
         .def_static(
             "load",
             [](const std::filesystem::path& path) {
-                StoredDataSet stored = read_data_set(path);
+                StoredDataSet stored = without_lock([&] { return read_data_set(path); });
                 return nb::make_tuple(std::move(stored.data), std::move(stored.net.net));
             },
             nb::arg("path"), "Reads data.h5: the data set and its net.")
@@ -209,8 +209,10 @@ void bind_sampling(nb::module_& module) {
             "__init__",
             [](Sampler* self, const CableNet& net, const std::string& prior, std::uint64_t seed,
                const std::vector<std::string>& uncertain) {
-                new (self)
-                    Sampler(net, parse_length_prior(prior), seed, uncertain_given(net, uncertain));
+                without_lock([&] {
+                    return new (self) Sampler(net, parse_length_prior(prior), seed,
+                                              uncertain_given(net, uncertain));
+                });
             },
             nb::arg("net"), nb::arg("prior") = "uniform:5mm", nb::arg("seed") = 1,
             nb::arg("uncertain") = std::vector<std::string>(),
@@ -258,8 +260,13 @@ void bind_sampling(nb::module_& module) {
             nb::arg("first"), nb::arg("count"), nb::kw_only(), nb::arg("progress") = nb::none(),
             "Samples `first` to `first` + `count` - 1, to be joined with others: for processes "
             "that share the work.")
-        .def("joined", &Sampler::joined, nb::arg("parts"), nb::call_guard<nb::gil_scoped_release>(),
-             "The data set of all parts, in whatever order: bit for bit that of `draw`.");
+        .def(
+            "joined",
+            [](const Sampler& self, std::vector<SamplePart> parts) {
+                return without_lock([&] { return self.joined(std::move(parts)); });
+            },
+            nb::arg("parts"),
+            "The data set of all parts, in whatever order: bit for bit that of `draw`.");
     module.def(
         "built_net",
         [](const CableNet& net, const std::string& prior, std::uint64_t seed) {

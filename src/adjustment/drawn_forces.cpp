@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/memory_budget.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/random_numbers.hpp"
 
@@ -50,6 +51,11 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
                           const StrokedState& state, double actuator_std, std::uint64_t seed,
                           const Progress& progress) {
     const Eigen::Index count = built.length_draws.cols();
+    double numbers = 3.0 * built.net.free_node_count();
+    for (const StrokedNet& net : state.nets) {
+        numbers += static_cast<double>(net.forces.size());
+    }
+    const MemoryCharge charge = charge_numbers(numbers * static_cast<double>(count));
     DrawnStrokes result;
     for (const StrokedNet& net : state.nets) {
         result.forces.emplace_back(net.forces.size(), count);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "adjustment/stroke_response.hpp"
 
+#include "numerics/memory_budget.hpp"
 #include "statics/edge_state.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
@@ -58,6 +59,10 @@ StrokeRates StrokeResponse::rates(const StrokedNet& stroked) const {
     const Points& form = stroked.equilibrium.form;
     const auto states = edge_states(net, stroked.unstressed_lengths, form);
     StrokeRates rates;
+    // Of places, lengths and forces, by each stroke.
+    const MemoryCharge charge = charge_numbers(
+        static_cast<double>(m_edges.size()) *
+        static_cast<double>(form.size() + 2 * net.edge_count() + std::ssize(m_reactions)));
     const FormSensitivity sensitivity(net, stroked.unstressed_lengths, form);
     rates.form = sensitivity.columns(m_edges);
     const Eigen::MatrixXd lengths = sensitivity.slid_columns(m_edges);

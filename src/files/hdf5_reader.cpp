@@ -11,6 +11,7 @@
 #include "files/digest.hpp"
 #include "files/message.hpp"
 #include "files/open_file.hpp"
+#include "numerics/memory_budget.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut::hdf5 {
@@ -279,6 +280,8 @@ Eigen::MatrixXd Reader::numbers(const std::string& name, const Shape& shape, Eig
                                 Eigen::Index cols) const {
     const Handle dataset = open_dataset(name, H5T_FLOAT);
     require_shape(dataset, name, shape);
+    const MemoryCharge charge =
+        charge_numbers(static_cast<double>(rows) * static_cast<double>(cols));
     Eigen::MatrixXd values(rows, cols);
     if (values.size() > 0) {
         read(dataset, name, H5T_NATIVE_DOUBLE, values.data());

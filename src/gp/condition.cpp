@@ -7,6 +7,7 @@
 
 #include "gp/weights.hpp"
 #include "numerics/dense.hpp"
+#include "numerics/memory_budget.hpp"
 
 namespace taut::gp {
 namespace {
@@ -16,6 +17,7 @@ constexpr double tiny = std::numeric_limits<double>::min();
 /// Diagonals of (R + eta I)^-1, sum_k Q_ik^2 / (d_k + eta), of each eta (n x k).
 Eigen::MatrixXd inverse_diagonals(const KernelSpectrum& spectrum,
                                   const Eigen::VectorXd& noise_ratios) {
+    const MemoryCharge charge = charge_numbers(static_cast<double>(spectrum.eigenvectors.size()));
     const Eigen::MatrixXd squares = spectrum.eigenvectors.cwiseAbs2();
     Eigen::MatrixXd inverses(squares.cols(), noise_ratios.size());
     for (Eigen::Index j = 0; j < inverses.cols(); ++j) {

@@ -78,9 +78,13 @@ FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
         const bool is_last = made == settings.max_spectra;  // no slope will be asked for
         const std::vector<size_t> mine = share_of(looks.size());
         // Of each the correlations, their eigenvectors, as much room for the decomposition, and the
-        // rates of the correlations.
-        const MemoryCharge at_work =
-            charge_numbers(4.0 * static_cast<double>(squared_distances.size() * std::ssize(mine)));
+        // rates of the correlations; of each output that along the eigenvectors, and its squares.
+        double numbers = 0.0;
+        for (const size_t k : mine) {
+            numbers += 4.0 * static_cast<double>(squared_distances.size()) +
+                       3.0 * static_cast<double>(outputs.rows() * std::ssize(looks[k].outputs));
+        }
+        const MemoryCharge at_work = charge_numbers(numbers);
         std::vector<Seen> seen(mine.size());
         parallel_for(size_t{0}, seen.size(), [&](size_t i) {
             const LengthScaleSearch::Look& look = looks[mine[i]];

@@ -9,6 +9,7 @@
 #include "gp/gradient_weights.hpp"
 #include "gp/inputs_check.hpp"
 #include "numerics/dense.hpp"
+#include "numerics/memory_budget.hpp"
 #include "numerics/parallel.hpp"
 #include "taut/gp/fit.hpp"
 
@@ -107,6 +108,11 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
 Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at) const {
     check_inputs(*this, at);
     const auto m = static_cast<Eigen::Index>(processes.size());
+    // Distances; of each spectrum correlations, what lies along it, and its squares.
+    const MemoryCharge charge = charge_numbers(
+        static_cast<double>(at.cols()) *
+        (static_cast<double>(inputs.cols()) * (1.0 + 3.0 * static_cast<double>(spectra.size())) +
+         4.0 * static_cast<double>(m)));
     Prediction result{.mean = Eigen::MatrixXd::Zero(m, at.cols()),
                       .std_dev = Eigen::MatrixXd::Zero(m, at.cols())};
     const Eigen::MatrixXd distances = squared_distances(inputs, at);

@@ -6,6 +6,7 @@
 
 #include "gp/correlation_product.hpp"
 #include "numerics/dense.hpp"
+#include "numerics/memory_budget.hpp"
 
 namespace taut::gp {
 namespace {
@@ -42,6 +43,7 @@ RefinedWeights refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                const KernelSpectrum& spectrum, const Eigen::MatrixXd& outputs,
                                const Eigen::VectorXd& noise_ratios,
                                const Eigen::VectorXd& tolerances, const Progress& progress) {
+    const MemoryCharge charge = charge_numbers(5.0 * static_cast<double>(outputs.size()));
     // With the spectrum as preconditioner the error falls by a factor of some ten a step at first.
     constexpr int most_steps = 12;
     const auto precondition = [&](const Eigen::MatrixXd& r) {

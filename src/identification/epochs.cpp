@@ -23,6 +23,7 @@
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/prior_mixture.hpp"
 #include "identification/repeated_surveys.hpp"
+#include "numerics/memory_budget.hpp"
 #include "sampling/uncertain_widths.hpp"
 
 namespace taut {
@@ -277,6 +278,8 @@ Together added_up(const Surveys& all, std::vector<EpochChanges>& changes,
                   const Progress& progress) {
     const IdentifyOptions to_add =
         with_own_widths(all.net, all.options, std::sqrt(static_cast<double>(all.epochs().size())));
+    const MemoryCharge of_draws =
+        charge_numbers(numbers_of_draw(all.net) * draws_wanted(all.net, to_add));
     EpochChain chain(all.net, all.epochs(), to_add, all.prior, 0.0, changes);
     const std::optional<double> movement = chain.converge(progress);
     if (movement && find_slips(chain, changes)) {

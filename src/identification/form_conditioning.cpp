@@ -7,6 +7,7 @@
 
 #include "estimation/observations.hpp"
 #include "estimation/target_tests.hpp"
+#include "numerics/memory_budget.hpp"
 #include "survey/covariance.hpp"
 
 namespace taut {
@@ -85,6 +86,9 @@ void ConditionedForm::fill_in(double noise_variance, const Eigen::VectorXd& resi
     m_diagonal = noise_variance * gain;
     m_root.resize(0, D.rows());
     if (!unobserved.empty()) {
+        const auto hidden = static_cast<double>(std::ssize(unobserved));
+        const MemoryCharge charge =
+            charge_numbers(hidden * (2.0 * hidden + 3.0 * static_cast<double>(D.rows())));
         const Eigen::MatrixXd D_u = D(Eigen::all, unobserved);
         const Cholesky factor(gram(p.cwiseSqrt().asDiagonal() * D_u));  // of P_uu
         along -= D_u * factor.solve(D_u.transpose() * p.cwiseProduct(along)).col(0);
@@ -97,6 +101,9 @@ void ConditionedForm::fill_in(double noise_variance, const Eigen::VectorXd& resi
 /// c^-1/2 (I + W'W) c^-1/2, W = Sigma^-1/2 D_o' c^1/2.
 void ConditionedForm::condition_by_factor(const Eigen::VectorXd& residual) {
     const Eigen::VectorXd c_root = m_before.variances.cwiseSqrt();
+    const MemoryCharge charge = charge_numbers(static_cast<double>(c_root.size()) *
+                                               (3.0 * static_cast<double>(std::ssize(m_observed)) +
+                                                3.0 * static_cast<double>(c_root.size())));
     Eigen::MatrixXd W(3 * std::ssize(m_observed), c_root.size());
     Eigen::VectorXd whitened(W.rows());
     for (Eigen::Index i = 0; i < std::ssize(m_observed); ++i) {

@@ -3,6 +3,7 @@
 #include "identification/form_prior.hpp"
 
 #include "numerics/dense.hpp"
+#include "numerics/memory_budget.hpp"
 #include "numerics/shrunk_covariance.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
@@ -10,6 +11,12 @@ namespace taut {
 
 FormPrior form_prior_of(const CableNet& net, const LengthModel& model,
                         const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
+    const auto coordinates = static_cast<double>(form_deviations.rows());
+    const auto lengths = static_cast<double>(net.interior_edge_count());
+    const auto samples = static_cast<double>(form_deviations.cols());
+    // Two covariances, their sum, its eigenvectors and as much room; J twice; the remainder.
+    const MemoryCharge charge =
+        charge_numbers(coordinates * (5.0 * coordinates + 2.0 * lengths + samples));
     const Eigen::MatrixXd J = FormSensitivity(net, net.unstressed_lengths(),
                                               with_free_coordinates(net, model.nominal_form))
                                   .columns(net.interior_edges());

@@ -161,8 +161,8 @@ int draws_wanted(const CableNet& net, const IdentifyOptions& options) {
 }
 
 double numbers_of_draw(const CableNet& net) {
-    // Lengths, form and tensions, and as much again of the uncertain parameters. Twice while they
-    // are collected, but for what is the same in all draws: measured, 2.5 times.
+    // Lengths, form and tensions; as much again of what else is uncertain; and both a second time
+    // while they are collected. Measured, it is 2.5 times the first.
     return 3.0 * (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
 }
 

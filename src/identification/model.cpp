@@ -12,6 +12,7 @@
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
 #include "numerics/fnv1a.hpp"
+#include "numerics/memory_budget.hpp"
 #include "numerics/parallel.hpp"
 #include "shared_work.hpp"
 #include "taut/net/cable_runs.hpp"
@@ -45,6 +46,12 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
                 fmt::format("training sample {}, expected 0 to {}", k, data.size() - 1));
         }
     }
+}
+
+/// Of the forms, of these as scaled inputs and of the outputs of some models.
+MemoryCharge charge_training(const CableNet& net, const std::vector<int>& samples, double models) {
+    return charge_numbers(static_cast<double>(std::ssize(samples)) *
+                          (6.0 * net.free_node_count() + models * net.interior_edge_count()));
 }
 
 /// All processes of a team learn from the same.
@@ -153,6 +160,7 @@ LengthModel train_model(const CableNet& net, const DataSet& data, const std::vec
     refuse_sliding(net, "training");
     check(net, data, samples);
     require_same_samples(data, samples);
+    const MemoryCharge charge = charge_training(net, samples, 1);
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
     LengthModel model = untrained(data, samples, settings);
     const Eigen::MatrixXd outputs = outputs_of(net, model, forms);
@@ -184,6 +192,7 @@ std::vector<LengthModel> train_together(const CableNet& net, const DataSet& data
                                         const Progress& progress) {
     check(net, data, samples);
     const Eigen::Index m = net.interior_edge_count();
+    const MemoryCharge charge = charge_training(net, samples, static_cast<double>(settings.size()));
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
     std::vector<LengthModel> models;
     Eigen::MatrixXd outputs(forms.cols(), m * std::ssize(settings));

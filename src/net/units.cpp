@@ -41,7 +41,7 @@ constexpr std::array memory{
     Unit{.name = "GB", .bases = 1e9},  Unit{.name = "GiB", .bases = gibibyte},
     Unit{.name = "TB", .bases = 1e12}, Unit{.name = "TiB", .bases = 1024.0 * gibibyte}};
 
-/// More than anything built has, in every SI unit.
+/// More than anything built has, in every SI unit, and any machine's bytes.
 constexpr double largest_quantity = 1e15;
 
 /// @param is_no the kind of quantity, and what was expected, for the message

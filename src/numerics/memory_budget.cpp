@@ -33,7 +33,9 @@ void MemoryBudget::take(double bytes) {
 }
 
 void MemoryBudget::give_back(double bytes) noexcept {
-    m_taken.fetch_sub(bytes);
+    double taken = m_taken;
+    while (!m_taken.compare_exchange_weak(taken, taken - bytes)) {
+    }
     if (m_outer) {
         m_outer->give_back(bytes);
     }

@@ -247,6 +247,7 @@ SamplePart Sampler::part(int first, int count, const Progress& progress) const {
 DataSet Sampler::joined(std::vector<SamplePart> parts) const {
     std::ranges::stable_sort(parts, {}, &SamplePart::first);
     DataSet data = no_samples();
+    MemoryCharge charge;
     for (const auto& [first, samples] : parts) {
         if (samples.net_fingerprint != data.net_fingerprint || samples.prior != data.prior ||
             samples.seed != data.seed || samples.uncertain != data.uncertain ||
@@ -263,6 +264,8 @@ DataSet Sampler::joined(std::vector<SamplePart> parts) const {
                 "the parts have sample {} {}, expected each sample from 0 to the last once",
                 std::min(first, data.size()), first < data.size() ? "twice" : "nowhere"));
         }
+        charge = {};
+        charge = charge_samples(data, data.size() + samples.size());
         append(data, samples);
     }
     return data;

@@ -57,7 +57,9 @@ TEST(ParseQuantities, TakeNumbersWithUnits) {
         {parse_stress, "2.05e11", 205e9},
         {parse_stress, "3kPa", 3000.0},
         {parse_part, "5%", 0.05},
-        {parse_temperature, "10K", 10.0}};
+        {parse_temperature, "10K", 10.0},
+        {parse_memory, "8GiB", 8589934592.0},
+        {parse_memory, "1.5 MB", 1.5e6}};
     for (const auto& [parse, text, value] : cases) {
         EXPECT_EQ(parse(text), value) << text;
     }
@@ -72,7 +74,8 @@ TEST(ParseQuantities, RefuseOtherTextsAndNameThem) {
         {parse_force, {"", "kN", "5m", "5 k N", "inf", "5GPa ", "1e999kN", "1e308kN"}},
         {parse_stress, {"", "GPa", "5kN", "5gpa", "nan", "5 bar"}},
         {parse_part, {"5", "5mm"}},
-        {parse_temperature, {"5", "5%"}}};
+        {parse_temperature, {"5", "5%"}},
+        {parse_memory, {"5", "5 kB", "1e9TB"}}};
     for (const auto& [parse, texts] : cases) {
         for (const std::string& text : texts) {
             const auto parsed = [&, parse = parse] { static_cast<void>(parse(text)); };

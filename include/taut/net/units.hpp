@@ -41,7 +41,7 @@ namespace taut {
 [[nodiscard]] TAUT_CORE_EXPORT double parse_part(std::string_view text);
 
 /// A size of memory, "8GiB", "500 MB": a number and MB, MiB, GB, GiB, TB or TiB.
-/// @return [bytes]
+/// @return [bytes]; of whatever sign, as the other quantities
 /// @throws std::invalid_argument for anything else, including a bare number, naming the text
 [[nodiscard]] TAUT_CORE_EXPORT double parse_memory(std::string_view text);
 
