@@ -50,9 +50,10 @@ def test_the_limit_counts_most_of_what_is_taken(work):
 import re, taut
 net = taut.hypar(40, 40)
 survey = taut.read_survey(net, taut.simulate_survey(net, net.nodes, noise=5e-4))
-data = taut.Sampler(taut.hypar(8, 8), "uniform:3mm", seed=1).draw(600)
+wide = taut.hypar(20, 20)
+data = taut.Sampler(wide, "uniform:3mm", seed=1).draw(300)
 if "train" in {work!r}:
-    net = taut.hypar(8, 8)
+    net = wide
 def peak():
     status = open('/proc/self/status').read()
     return 1024 * int(re.search(r'VmHWM:\\s+(\\d+)', status)[1])
