@@ -20,7 +20,9 @@ public:
     /// @param needed by the call so far and for what it asks [bytes]
     /// @param limit of the call [bytes]
     MemoryLimitExceeded(double needed, double limit) noexcept;
-    [[nodiscard]] const char* what() const noexcept override { return m_text.data(); }
+    [[nodiscard]] const char* what() const noexcept override {
+        return m_text.data();
+    }  ///< one line
     [[nodiscard]] ErrorCode code() const noexcept override {
         return ErrorCode::out_of_memory;
     }  ///< Error
