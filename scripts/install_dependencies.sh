@@ -7,7 +7,7 @@
 # cargo builds the conic solver Clarabel: Debian's cargo-web, kept up to date for browsers, is recent
 # enough, its cargo is not. A cargo that is there, from rustup say, is left alone; where it is too old,
 # CMake says so and builds without the solver.
-# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|browsers|reference|examples|windows|ci]...
+# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|browsers|reference|examples|windows|profile|ci]...
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
@@ -34,6 +34,8 @@ compilers=(clang-14 clang-16 clang-19 libc++-19-dev libc++abi-19-dev)
 browsers=(firefox-esr)
 # For scripts/windows.sh; wine runs what that builds.
 windows=(g++-mingw-w64-x86-64-posix wine wine64 unzip)
+# For benchmarks/profiles.py; cargo builds inferno, which draws.
+profile=(linux-perf gdb binutils)
 # What earlier runs of .ci/run on this machine have compiled.
 ci=(ccache)
 cargo=cargo-web
@@ -86,13 +88,13 @@ packages=()
 groups=("${@:-build}")
 for group in "${groups[@]}"; do
     case "$group" in
-        build | test | python | bench | lint | fuzz | hostile | compilers | browsers | reference | examples | windows | ci)
+        build | test | python | bench | lint | fuzz | hostile | compilers | browsers | reference | examples | windows | profile | ci)
             declare -n members="$group"
             packages+=("${members[@]}")
             ;;
         *)
             echo "install_dependencies.sh: unknown group '$group'," \
-                "expected build, test, python, bench, lint, fuzz, hostile, compilers, browsers, reference, examples, windows or ci" >&2
+                "expected build, test, python, bench, lint, fuzz, hostile, compilers, browsers, reference, examples, windows, profile or ci" >&2
             exit 2
             ;;
     esac
