@@ -39,6 +39,9 @@ KERNELS = {
     "solves": r"SupernodalFactor::solve|SaddlePointFactor::solve|SparseCholesky::solve",
     "ordering": r"METIS|libmetis|SupernodalFactor::SupernodalFactor|elimination_order|taut::supernodes",
     "eigendecomposition": r"symmetric_eigen|dsyev|dsytrd|dlaed",
+}
+# Where none of these is around it.
+PRODUCTS = {
     "matrix products": r"dgemm|dsyrk|dtrsm|dtrmm|taut::(multiply|product|gram)\b",
 }
 MEMORY = (
@@ -53,6 +56,8 @@ PURPOSES = {
     "prior integration": r"propagate_prior|mixture_over|hyperprior|length_likelihoods|marginal|epoch_evidence",
     "files": r"taut::(read|write)_|nlohmann|JsonValue|parse_json|AtomicFile|hdf5|H5",
 }
+# The kernels of OpenBLAS keep no frames: who called them is not seen.
+UNKNOWN = "not known"
 # What gdb counts.
 COUNTED = {
     "orderings": "taut::SupernodalFactor::SupernodalFactor(std::vector",
@@ -186,8 +191,9 @@ def shares(script, rate):
     count = in_memory = 0
     for at, thread, functions in samples_of(script):
         count += 1
-        kernels[first_match(functions, KERNELS)] += 1
-        purposes[first_match(functions, PURPOSES, "fits, the rest")] += 1
+        kernels[first_match(functions, KERNELS, first_match(functions, PRODUCTS))] += 1
+        is_known = any("taut::" in function for function in functions)
+        purposes[first_match(functions, PURPOSES, "fits, the rest" if is_known else UNKNOWN)] += 1
         in_memory += bool(functions and re.search(MEMORY, functions[0]))
         threads_at[int(at * rate / 2)].add(thread)  # two periods: each busy thread is seen
     alone = sum(len(threads) == 1 for threads in threads_at.values())
@@ -229,7 +235,6 @@ def counted(program, words, folder):
     script.insert(3, base)
     arguments = [word for line in script for word in ("-ex", line)]
     text = run(["gdb", "-batch", *arguments, "--args", program, *words], folder)
-    hits = [int(number) for number in re.findall(r"breakpoint already hit (\d+) time", text)]
     blocks = re.split(r"\n(?=\d+\s+breakpoint)", text[text.rfind("\nNum ") :])[1:]
     hits = [
         int(found[1]) if (found := re.search(r"already hit (\d+) time", block)) else 0
@@ -307,21 +312,22 @@ def page(found):
     yield ""
     yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/profiles.py`, on two cores. A share is that of the samples of the"
     yield "stacks of all threads. Each sample counts once in the second table, for what it is at, and once in the third, for what"
-    yield "it works for: the innermost function decides."
+    yield "it works for: the innermost function decides. The kernels of OpenBLAS show no callers, so what factorisations, inverses"
+    yield "and eigendecompositions do by them stands mostly under matrix products, and for what is not known."
     yield ""
     of = {name: found[name] for name in PROFILES if name in found}
     yield from heading(
         "work | seconds | one thread alone | memory management | orderings | factorisations | inverses | solves"
     )
     for name, one in of.items():
-        counts = " | ".join("" if n is None else f"{n:,}" for n in one["counts"].values())
+        counts = " | ".join("" if n is None else f"{n:,}" for n in map(one["counts"].get, COUNTED))
         yield (
             f"| [{PROFILES[name][0]}](flames/{name}.svg) | {one['seconds']:.2f} | {percent(one['one thread alone'])} | "
             f"{percent(one['memory'])} | {counts} |"
         )
     for title, key, columns in [
-        ("at", "kernels", [*KERNELS, "other"]),
-        ("for", "purposes", [*PURPOSES, "fits, the rest"]),
+        ("at", "kernels", [*KERNELS, *PRODUCTS, "other"]),
+        ("for", "purposes", [*PURPOSES, "fits, the rest", UNKNOWN]),
     ]:
         yield ""
         yield from heading(" | ".join([title, *columns]))

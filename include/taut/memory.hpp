@@ -35,8 +35,8 @@ private:
 /// the large arrays: factors and inverses of matrices, spectra of kernels, data sets, covariances
 /// and posterior samples, before they are made. They are most of what taut takes for large nets
 /// and many samples; vectors of one number for each node or edge are not counted. What a call
-/// has returned is no longer counted. Calls in other threads of the program have limits of their
-/// own; inside another such limit both hold.
+/// has returned is no longer counted, but for factors that it holds. Calls in other threads of the
+/// program have limits of their own; inside another such limit both hold.
 /// @param bytes more than 0
 /// @param work called once, in the calling thread; may not be empty
 /// @throws std::invalid_argument for other bytes; MemoryLimitExceeded, and what the work throws
